@@ -1,0 +1,22 @@
+//! Closed forms, each derived apart from the scheme.
+//!
+//! An oracle that shares code with what it judges judges nothing: nothing below this folder
+//! imports `paper`, `march` or `material`. The derivations are in `docs/exact/`.
+//!
+//! | module | problem | domain of the solution |
+//! |---|---|---|
+//! | [`hyperelastic`] | the tension laws and their stored energy | stretch > 0 |
+//! | [`smith`] | transverse impact on one long fibre | until the first reflection comes back |
+//! | [`crossover`] | what a crossing fibre reflects, lets through and diverts | until a wave from the kink returns |
+//! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
+//! | [`dispersion`] | waves and growth of the leapfrog scheme | uniform linear fibre |
+
+pub mod crossover;
+pub mod dalembert;
+pub mod dispersion;
+pub mod hyperelastic;
+pub mod smith;
+
+#[cfg(test)]
+mod quadrature;
+mod root;
