@@ -1,0 +1,46 @@
+//! crossfibre: a literal, traceable reference implementation of a 1980 direct numerical model of
+//! stress waves in two crossed fibres, one of them struck by a projectile.
+//!
+//! Read it in this order:
+//!
+//! 1. [`paper`]: the twenty numbered equations as the methods of one trait, as printed;
+//!    [`equations`] is their register, [`number`] what they are written over.
+//! 2. [`errata`]: the ledger of what cannot stand as printed; [`corrected`] the edition without it.
+//! 3. [`march`]: one time step in the paper's order, on the [`state`] that a [`scene`] starts with
+//!    ([`discretisation`]).
+//! 4. [`mod@trace`]: the same march with every evaluation reported; [`trace_file`] writes them down.
+//! 5. [`balance`]: energy and momentum; [`outcome`] and [`result`]: how a run ends and what it gives.
+//! 6. [`exact`]: closed forms, which share nothing with the above.
+//!
+//! ```
+//! let text = include_str!("../verification/scenes/single-400.json");
+//! let scene = crossfibre::scene_file::read(text)?;
+//! let result = crossfibre::result::run(&scene, |_state| {});
+//! assert!(result.outcome.is_completed());
+//! // Between the kink and the front the strain is Smith's for eqns (4) and (7), 1.443 %.
+//! let plateau = result.primary.strain[50];
+//! assert!((plateau - 0.01443).abs() < 1e-4);
+//! # Ok::<(), crossfibre::scene_file::Fault>(())
+//! ```
+
+pub mod balance;
+pub mod corrected;
+pub mod discretisation;
+pub mod equations;
+pub mod errata;
+pub mod exact;
+mod json_locate;
+pub mod march;
+pub mod number;
+pub mod outcome;
+pub mod paper;
+pub mod place;
+pub mod plan;
+pub mod result;
+pub mod scene;
+pub mod scene_check;
+pub mod scene_file;
+mod scene_misfit;
+pub mod state;
+pub mod trace;
+pub mod trace_file;

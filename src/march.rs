@@ -1,0 +1,366 @@
+//! One time step in the paper's order, and the run.
+//!
+//! The recursion goes "from one element to the next along the fibre length", in place.
+
+use std::ops::Range;
+
+use crate::number::{Number, Vector};
+use crate::outcome::{End, Outcome};
+use crate::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush, magnitude};
+use crate::place::{Fibre, Place};
+use crate::state::{Crossover, FibreState, State};
+
+/// Runs `steps` more steps, or until the run ends by itself. `watch` is called after each step.
+#[inline(always)]
+pub fn run<S: Number>(
+    paper: &impl Paper<S>,
+    state: &mut State<S>,
+    steps: u64,
+    mut watch: impl FnMut(&State<S>),
+) -> Outcome {
+    for _ in 0..steps {
+        if let Err(outcome) = step(paper, state) {
+            return outcome;
+        }
+        watch(state);
+    }
+    Outcome::Completed
+}
+
+/// One time step: the primary fibre, the projectile, the secondary fibre, the crossover's node.
+#[inline(always)]
+pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<(), Outcome> {
+    state.step += 1;
+    let force_before = state.account_for_impulses();
+    let (step, time_step) = (state.step, state.time_step);
+    let along = |fibre| Along {
+        step,
+        fibre,
+        time_step,
+    };
+    let drive = state.projectile.axis * state.projectile.velocity;
+    state.work.count(&state.primary);
+
+    match &mut state.crossover {
+        None => {
+            along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
+            state.push_projectile(paper);
+        }
+        // θ is undefined at the origin: the projectile drives both fibres (`theta-at-origin`), and
+        // is slowed by both.
+        Some(crossover) if crossover.at_origin() => {
+            state.work.count(&crossover.fibre);
+            state.work.secondary += 1;
+            along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
+            paper.at(Place {
+                step,
+                fibre: Fibre::Secondary,
+                index: 0,
+            });
+            let drive = Vector::<S, 3>::new(drive.x, drive.y, paper.eqn_14_secondary_w());
+            along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, |_, _| ())?;
+            state.push_projectile(paper);
+        }
+        Some(crossover) => {
+            state.work.count(&crossover.fibre);
+            state.work.secondary += 1;
+            state.work.drives += 1;
+            state.work.pushes += u64::from(crossover.node <= state.primary.visited);
+            let at_crossover = &*crossover;
+            let ix = crossover.node;
+            along(Fibre::Primary).march(paper, &mut state.primary, drive, |primary, nodes| {
+                if nodes.contains(&ix) {
+                    primary.velocity[ix] =
+                        at_crossover.push(paper, step, primary, primary.velocity[ix]);
+                }
+            })?;
+            state.push_projectile(paper);
+            if let Some(crossover) = &mut state.crossover {
+                let drive = crossover.drive(paper, step, &state.primary);
+                along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, |_, _| ())?;
+                crossover.reassign_node(step, &state.primary)?;
+            }
+        }
+    }
+    state.account_for_work(force_before);
+    Ok(())
+}
+
+/// What the length loop of one fibre needs to know besides the fibre.
+struct Along<S> {
+    step: u64,
+    fibre: Fibre,
+    time_step: S,
+}
+
+impl<S: Number> Along<S> {
+    /// The length loop: eqns (2), (5), (6), (4) and (7) from the driven end to the wavefront.
+    ///
+    /// It goes in blocks of elements. Elements ahead of a block still hold `t−1` and those behind
+    /// it already hold `t`, so a block of one is the page's recursion to the letter, and a longer one
+    /// gives the same bits while the processor works on several elements at once.
+    ///
+    /// `adjust` may change what (2) gave the nodes of a block: it is where (17) and (18) come in,
+    /// and nothing at all for a fibre without a crossover.
+    #[inline(always)]
+    fn march<P: Paper<S>, const D: usize>(
+        &self,
+        paper: &P,
+        fibre: &mut FibreState<S, D>,
+        driven: Vector<S, D>,
+        adjust: impl Fn(&mut FibreState<S, D>, Range<usize>),
+    ) -> Result<(), Outcome> {
+        let (front, clamp) = (fibre.visited, fibre.elements());
+        let dt = self.time_step;
+        fibre.velocity[0] = driven;
+        fibre.velocity[clamp] = fibre.clamp_velocity;
+        let mut start = 0;
+        while start < front {
+            let end = (start + P::BLOCK).min(front);
+            let nodes = start + 1..(end + 1).min(clamp);
+            self.velocities(paper, fibre, nodes.clone());
+            adjust(fibre, nodes);
+            self.elements(paper, fibre, start..end)?;
+            for (x, v) in fibre.position[start..end]
+                .iter_mut()
+                .zip(&fibre.velocity[start..end])
+            {
+                *x += *v * dt;
+            }
+            start = end;
+        }
+        fibre.position[front] += fibre.velocity[front] * dt;
+        if front < clamp && fibre.tension[front - 1] != S::zero() {
+            fibre.visited += 1;
+        }
+        Ok(())
+    }
+
+    /// (2) for a block of inner nodes.
+    #[inline(always)]
+    fn velocities<const D: usize>(
+        &self,
+        paper: &impl Paper<S>,
+        fibre: &mut FibreState<S, D>,
+        nodes: Range<usize>,
+    ) {
+        let count = nodes.len();
+        let a = fibre.properties.a;
+        let velocity = &mut fibre.velocity[nodes.start..][..count];
+        let here = &fibre.pull[nodes.start - 1..][..count];
+        let ahead = &fibre.pull[nodes.start..][..count];
+        for i in 0..count {
+            paper.at(self.place(nodes.start + i));
+            velocity[i] = paper.eqn_2_velocity(velocity[i], a, ahead[i], here[i]);
+        }
+    }
+
+    /// (5), (6), (4) and (7) for a block of elements whose nodes have their new velocities and their
+    /// old positions.
+    #[inline(always)]
+    fn elements<const D: usize>(
+        &self,
+        paper: &impl Paper<S>,
+        fibre: &mut FibreState<S, D>,
+        block: Range<usize>,
+    ) -> Result<(), Outcome> {
+        let count = block.len();
+        let dt = self.time_step;
+        let stiffness = fibre.properties.stiffness;
+        let x_here = &fibre.position[block.start..][..count];
+        let x_ahead = &fibre.position[block.start + 1..][..count];
+        let v_here = &fibre.velocity[block.start..][..count];
+        let v_ahead = &fibre.velocity[block.start + 1..][..count];
+        let unstrained = &fibre.unstrained[block.start..][..count];
+        let strain = &mut fibre.strain[block.start..][..count];
+        let tension = &mut fibre.tension[block.start..][..count];
+        let pull = &mut fibre.pull[block.start..][..count];
+        let mut finite = true;
+        for i in 0..count {
+            paper.at(self.place(block.start + i));
+            let length = Lengths {
+                previous: if paper.uses_previous_length() {
+                    paper.eqn_5_previous_length(x_ahead[i], x_here[i])
+                } else {
+                    S::zero()
+                },
+                now: paper.eqn_6_length(x_ahead[i], v_ahead[i], x_here[i], v_here[i], dt),
+                unstrained: unstrained[i],
+            };
+            strain[i] = paper.eqn_4_strain(strain[i], length);
+            tension[i] = paper.eqn_7_tension(stiffness, strain[i]);
+            // "The tension T_i has the same direction as the element itself."
+            let element = (x_ahead[i] + v_ahead[i] * dt) - (x_here[i] + v_here[i] * dt);
+            let pull_per_length = tension[i] / length.now;
+            pull[i] = element * pull_per_length;
+            finite &= pull_per_length.is_finite();
+        }
+        if finite {
+            Ok(())
+        } else {
+            Err(self.diverged(fibre, block))
+        }
+    }
+
+    fn place(&self, index: usize) -> Place {
+        Place {
+            step: self.step,
+            fibre: self.fibre,
+            index,
+        }
+    }
+
+    /// Names the first equation of a block whose result is not finite, or the length that vanished.
+    #[cold]
+    fn diverged<const D: usize>(&self, fibre: &FibreState<S, D>, block: Range<usize>) -> Outcome {
+        let moved = |i: usize| fibre.position[i] + fibre.velocity[i] * self.time_step;
+        for i in block {
+            let length = magnitude(moved(i + 1) - moved(i));
+            let (index, equation) = if !fibre.velocity[i + 1].iter().all(|v| v.is_finite()) {
+                (i + 1, 2)
+            } else if !length.is_finite() || length == S::zero() {
+                (i, 6)
+            } else if !fibre.strain[i].is_finite() {
+                (i, 4)
+            } else if !(fibre.tension[i] / length).is_finite() {
+                (i, 7)
+            } else {
+                continue;
+            };
+            return Outcome::Diverged {
+                place: self.place(index),
+                equation,
+            };
+        }
+        unreachable!("an element of the block was found not to be finite")
+    }
+}
+
+impl<S: Number> Crossover<S> {
+    /// Eqns (15)–(18): what the secondary's tension adds to the crossover node's velocity.
+    ///
+    /// Tension and direction cosines are those of `t−1`, since the secondary is marched after the
+    /// primary (ledger `time-level`).
+    pub(crate) fn push(
+        &self,
+        paper: &impl Paper<S>,
+        step: u64,
+        primary: &FibreState<S, 2>,
+        v: Vector<S, 2>,
+    ) -> Vector<S, 2> {
+        paper.at(Place {
+            step,
+            fibre: Fibre::Primary,
+            index: self.node,
+        });
+        let phi_1 = {
+            let element = primary.position[self.node] - primary.position[self.node - 1];
+            let length = magnitude(element);
+            Cosines {
+                x: element.x / length,
+                y: element.y / length,
+            }
+        };
+        let phi_2 = {
+            let element = self.fibre.position[1] - self.fibre.position[0];
+            let length = magnitude(element);
+            Cosines {
+                x: element.x / length,
+                y: element.y / length,
+            }
+        };
+        let tension = self.fibre.tension[0];
+        let push = CrossoverPush {
+            a: primary.properties.a,
+            slide_factor: self.slide_factor,
+            parallel: paper.eqn_15_parallel_tension(tension, phi_2, phi_1),
+            perpendicular: paper.eqn_16_perpendicular_tension(tension, phi_2, phi_1),
+            primary: phi_1,
+            change: (primary.pull[self.node] - primary.pull[self.node - 1]) * primary.properties.a,
+            mass: primary.properties.mass,
+            secondary_mass: self.fibre.properties.mass,
+        };
+        Vector::<S, 2>::new(
+            paper.eqn_17_u_at_crossover(v.x, push),
+            paper.eqn_18_v_at_crossover(v.y, push),
+        )
+    }
+
+    /// Eqns (9)–(14): the velocity that the primary imposes on the secondary's first node.
+    pub(crate) fn drive(
+        &self,
+        paper: &impl Paper<S>,
+        step: u64,
+        primary: &FibreState<S, 2>,
+    ) -> Vector<S, 3> {
+        paper.at(Place {
+            step,
+            fibre: Fibre::Secondary,
+            index: 0,
+        });
+        let ix = self.node;
+        let velocity = primary.velocity[ix];
+        let theta = paper.eqn_11_direction(primary.position[ix], primary.position[ix - 1]);
+        self.impose(paper, velocity, theta)
+    }
+
+    /// Eqns (9), (10) and (12)–(14): the part of a velocity of the primary that its crossing fibre
+    /// follows.
+    pub(crate) fn impose(
+        &self,
+        paper: &impl Paper<S>,
+        velocity: Vector<S, 2>,
+        theta: Direction<S>,
+    ) -> Vector<S, 3> {
+        let parallel = paper.eqn_9_parallel_velocity(velocity.x, velocity.y, theta);
+        let perpendicular = paper.eqn_10_perpendicular_velocity(velocity.x, velocity.y, theta);
+        Vector::<S, 3>::new(
+            paper.eqn_12_secondary_u(self.slide_factor, parallel, perpendicular, theta),
+            paper.eqn_13_secondary_v(self.slide_factor, parallel, perpendicular, theta),
+            paper.eqn_14_secondary_w(),
+        )
+    }
+
+    /// "After each time increment, … ix is assigned to the nearest node on the primary fibre."
+    fn reassign_node(&mut self, step: u64, primary: &FibreState<S, 2>) -> Result<(), Outcome> {
+        let nearest = self.nearest_node(primary);
+        if nearest != self.node {
+            self.node = nearest;
+            self.moves += 1;
+        }
+        match nearest {
+            0 => Err(Outcome::CrossoverLeft {
+                step,
+                end: End::ImpactPoint,
+            }),
+            n if n == primary.elements() => Err(Outcome::CrossoverLeft {
+                step,
+                end: End::Clamp,
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl<S: Number> State<S> {
+    /// Eqn (8), "at the completion of the lengthwise recursive calculations"; left out where the
+    /// velocity stays constant.
+    fn push_projectile(&mut self, paper: &impl Paper<S>) {
+        let Some(mass) = self.projectile.mass else {
+            return;
+        };
+        paper.at(Place {
+            step: self.step,
+            fibre: Fibre::Primary,
+            index: 0,
+        });
+        self.projectile.velocity = paper.eqn_8_projectile_velocity(ProjectilePush {
+            velocity: self.projectile.velocity,
+            tension_y: self.first_tension_along_axis(),
+            mass,
+            node_mass: self.projectile_node_mass(),
+            time_step: self.time_step,
+            time: self.time(),
+        });
+    }
+}

@@ -1,0 +1,173 @@
+//! What a run of a scene will do, before it is done: the mesh, the time step, which equations run
+//! and which are left out, and why.
+
+use serde::Serialize;
+
+use crate::discretisation::{Discretisation, Properties};
+use crate::place::Fibre;
+use crate::scene::{Scene, Strain};
+use crate::state::FibreState;
+
+/// The format that this version writes.
+pub const FORMAT: &str = "crossfibre-plan/1";
+
+/// Element-steps beyond which a run has to be asked for twice: a quarter of an hour or more at
+/// 10⁸ a second.
+pub const MANY_ELEMENT_STEPS: f64 = 1e11;
+
+/// A plan.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Plan {
+    /// `crossfibre-plan/1`.
+    pub format: &'static str,
+    /// The scene's title.
+    pub title: String,
+    /// Δt, s.
+    pub time_step: f64,
+    /// Steps to make.
+    pub steps: u64,
+    /// Steps × Δt, s: the time that will be reached.
+    pub time: f64,
+    /// The fibres.
+    pub fibres: Vec<FibrePlan>,
+    /// `ix` at the start.
+    pub crossover_node: Option<usize>,
+    /// Ids of the corrections chosen.
+    pub corrections: Vec<&'static str>,
+    /// All twenty equations.
+    pub equations: Vec<EquationPlan>,
+    /// Element-steps at the most, elements ahead of the front left out.
+    pub element_steps: f64,
+    /// Memory of the state, bytes.
+    pub memory: f64,
+}
+
+/// What a plan says of a fibre.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FibrePlan {
+    /// Which.
+    pub fibre: Fibre,
+    /// Number of elements.
+    pub elements: usize,
+    /// Δx, m.
+    pub spacing: f64,
+    /// c, m/s.
+    pub wave_speed: f64,
+    /// α by (20).
+    pub courant: f64,
+    /// Δm, kg.
+    pub node_mass: f64,
+    /// Components of a vector.
+    pub dimensions: usize,
+}
+
+/// What a plan says of an equation.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct EquationPlan {
+    /// Number on the page.
+    pub equation: u8,
+    /// Whether a step evaluates it.
+    pub runs: bool,
+    /// Why, or why not.
+    pub why: &'static str,
+}
+
+impl Plan {
+    /// The plan of a scene that has passed [`Scene::check`].
+    pub fn of(scene: &Scene) -> Self {
+        let mesh = Discretisation::<f64>::of(scene);
+        let steps = mesh.steps(scene.duration);
+        let fibre = |fibre, dimensions, of: &Properties<f64>| FibrePlan {
+            fibre,
+            elements: of.elements,
+            spacing: of.spacing,
+            wave_speed: of.wave_speed,
+            courant: of.courant(mesh.time_step),
+            node_mass: of.mass,
+            dimensions,
+        };
+        let mut fibres = vec![fibre(Fibre::Primary, 2, &mesh.primary)];
+        let mut element_steps = flagged_element_steps(steps, mesh.primary.elements, 0);
+        let mut memory = mesh.primary.elements as f64 * FibreState::<f64, 2>::BYTES_PER_ELEMENT;
+        if let Some(crossing) = &mesh.secondary {
+            fibres.push(fibre(Fibre::Secondary, 3, &crossing.fibre));
+            element_steps += flagged_element_steps(steps, crossing.fibre.elements, crossing.node);
+            memory += crossing.fibre.elements as f64 * FibreState::<f64, 3>::BYTES_PER_ELEMENT;
+        }
+        Self {
+            format: FORMAT,
+            title: scene.title.clone(),
+            time_step: mesh.time_step,
+            steps,
+            time: steps as f64 * mesh.time_step,
+            fibres,
+            crossover_node: mesh.secondary.map(|crossing| crossing.node),
+            corrections: scene.corrections.iter().map(|e| e.entry().id).collect(),
+            equations: equations(scene, mesh.secondary.map(|crossing| crossing.node)),
+            element_steps,
+            memory,
+        }
+    }
+}
+
+/// Σ over the steps of the elements visited when the front starts at element 0 after `quiet` steps
+/// and gains one element a step. One element is visited before that.
+fn flagged_element_steps(steps: u64, elements: usize, quiet: usize) -> f64 {
+    let (steps, elements, quiet) = (steps as f64, elements as f64, quiet as f64);
+    let moving = (steps - quiet).max(0.0);
+    let growing = moving.min(elements);
+    steps.min(quiet) + growing * (growing + 1.0) / 2.0 + (moving - growing) * elements
+}
+
+/// Which equations a step of this scene evaluates.
+fn equations(scene: &Scene, crossover_node: Option<usize>) -> Vec<EquationPlan> {
+    let incremental = scene.strain == Strain::Incremental;
+    let crossover: Result<&str, &str> = match crossover_node {
+        None => Err("no secondary fibre"),
+        Some(0) => Err("both fibres are at the impact point: the projectile drives both"),
+        Some(_) => Ok("the secondary fibre crosses away from the impact point"),
+    };
+    let why = |number: u8| match number {
+        1 => Err("(2) is its solved form; checks use it to audit a step"),
+        2 => Ok("every inner node"),
+        3 => Err("the strain is advanced by (4)"),
+        4 if incremental => Ok("every element"),
+        4 => Ok("every element, by L/L⁰ - 1 in its place"),
+        5 if incremental => Ok("every element"),
+        5 => Err("engineering strain does not look at the previous length"),
+        6 | 7 => Ok("every element"),
+        8 if scene.projectile.mass.is_some() => Ok("the projectile has a mass"),
+        8 => Err("the projectile's velocity is constant"),
+        14 if crossover_node.is_some() => Ok("the secondary's first node"),
+        9..=18 => crossover,
+        19 => Err("the equation the scheme approximates; checks use it"),
+        _ => Err("evaluated once for this plan, not in a step"),
+    };
+    (1..=20)
+        .map(|equation| {
+            let why = why(equation);
+            EquationPlan {
+                equation,
+                runs: why.is_ok(),
+                why: why.unwrap_or_else(|no| no),
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_front_gains_an_element_a_step_until_the_clamp() {
+        // 1 + 2 + 3 + 3 + 3
+        assert_eq!(flagged_element_steps(5, 3, 0), 12.0);
+        // two quiet steps of one element, then 1 + 2 + 3
+        assert_eq!(flagged_element_steps(5, 7, 2), 8.0);
+        assert_eq!(flagged_element_steps(2, 7, 4), 2.0);
+    }
+}

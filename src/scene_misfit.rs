@@ -1,0 +1,155 @@
+//! JSON, but not a scene: what serde found, at its place and in words for people.
+
+use serde_json::Value;
+
+use crate::json_locate::{members, value};
+use crate::scene::Material;
+use crate::scene_check::Problem;
+use crate::scene_file::{Fault, bare};
+
+/// The fault behind an error of serde at a path.
+pub(crate) fn misfit(text: &str, path: &str, error: &serde_json::Error) -> Fault {
+    let message = bare(error);
+    let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    match names.split_first() {
+        Some((name, known)) if message.starts_with("unknown ") => {
+            unknown(text, path, &message, name, known)
+        }
+        Some((name, _)) if message.starts_with("duplicate field") => {
+            let problem = Problem {
+                path: join(path, name),
+                message: message.clone(),
+                help: None,
+            };
+            Fault::new(text, key(text, path, name, 1).unwrap_or(text), problem)
+        }
+        _ => {
+            let path = field_of_material(text, path, &message).unwrap_or_else(|| path.into());
+            let help = message.contains("type: null").then(|| {
+                "leave out what is not given; some programs write a NaN as null".to_string()
+            });
+            Fault::at_path(
+                text,
+                Problem {
+                    path,
+                    message: in_plain_words(message),
+                    help,
+                },
+            )
+        }
+    }
+}
+
+/// A name that is none of the known ones: of a field, a law, a measure of strain, a correction.
+fn unknown(text: &str, path: &str, message: &str, name: &str, known: &[&str]) -> Fault {
+    let what = message.split(", expected").next().unwrap_or(message);
+    let message = match nearest(name, known) {
+        Some(meant) => format!("{what}, did you mean `{meant}`?"),
+        None => what.into(),
+    };
+    let help = Some(format!("known here: {}", known.join(", ")));
+    if !message.starts_with("unknown field") {
+        return Fault::at_path(
+            text,
+            Problem {
+                path: path.into(),
+                message,
+                help,
+            },
+        );
+    }
+    // Inside a material the path ends at the object, elsewhere at the unknown name.
+    let outer = path
+        .strip_suffix(name)
+        .unwrap_or(path)
+        .trim_end_matches('.');
+    let object = if key(text, path, name, 0).is_some() {
+        path
+    } else {
+        outer
+    };
+    let problem = Problem {
+        path: join(object, name),
+        message,
+        help,
+    };
+    Fault::new(text, key(text, object, name, 0).unwrap_or(text), problem)
+}
+
+/// The n-th (from 0) of the keys of this name in the object at a path.
+fn key<'a>(text: &'a str, path: &str, name: &str, nth: usize) -> Option<&'a str> {
+    let object = members(value(text, path)?);
+    object
+        .iter()
+        .filter(|member| member.name == name)
+        .nth(nth)
+        .map(|member| member.key)
+}
+
+fn join(path: &str, name: &str) -> String {
+    if path.is_empty() {
+        name.into()
+    } else {
+        format!("{path}.{name}")
+    }
+}
+
+/// serde reads a material in one piece and names no field of it. A field of the wrong kind is the
+/// one whose removal turns the error into "missing field". (The law itself serde does name.)
+fn field_of_material(text: &str, path: &str, message: &str) -> Option<String> {
+    if !path.ends_with(".material") || !message.starts_with("invalid ") {
+        return None;
+    }
+    let all: serde_json::Map<String, Value> = serde_json::from_str(value(text, path)?).ok()?;
+    let field = all.keys().filter(|&name| name != "law").find(|&name| {
+        let mut others = all.clone();
+        others.remove(name);
+        serde_json::from_value::<Material>(Value::Object(others))
+            .is_err_and(|error| bare(&error) == format!("missing field `{name}`"))
+    })?;
+    Some(join(path, field))
+}
+
+fn in_plain_words(message: String) -> String {
+    let message = [
+        ("type: map", "type: an object"),
+        ("type: sequence", "type: an array"),
+        ("expected f64", "expected a number"),
+        ("expected usize", "expected a whole number"),
+        ("expected variant identifier", "expected a name"),
+    ]
+    .iter()
+    .fold(message, |message, (from, to)| message.replace(from, to));
+    match message
+        .split_once("expected struct")
+        .or(message.split_once("expected internally"))
+    {
+        Some((head, _)) => format!("{head}expected an object"),
+        None => message,
+    }
+}
+
+/// The known name that differs by the fewest edits, if that is at most a third of its letters.
+fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let (edits, best) = known
+        .iter()
+        .map(|known| (edits(name, known), *known))
+        .min()?;
+    (edits <= best.chars().count().div_ceil(3)).then_some(best)
+}
+
+/// Letters to insert, remove or replace to turn one name into the other (Levenshtein's distance).
+fn edits(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &y) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
