@@ -1,0 +1,1 @@
+//! The `crossfibre` command: runs, traces, plans and verifies the reference.

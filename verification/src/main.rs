@@ -1,0 +1,2 @@
+//! The `crossfibre` command.
+fn main() {}
