@@ -54,16 +54,14 @@ impl Balance {
     pub fn is_finite(&self) -> bool {
         let (e, m) = (&self.energy, &self.momentum);
         // A residual sums all the others of its kind.
-        [e.residual, m.residual, m.projectile, e.projectile]
-            .iter()
-            .all(|x| x.is_finite())
+        [e.residual, m.residual, m.projectile, e.projectile].iter().all(|x| x.is_finite())
     }
 }
 
 impl Energy {
-    /// The residual as a fraction of the energy that was put in.
+    /// The residual over the energy that was put in.
     pub fn relative_residual(&self) -> f64 {
-        self.residual / (self.initial + self.work)
+        self.residual / (self.initial + self.work.abs())
     }
 }
 
@@ -151,14 +149,12 @@ impl<S: Number> State<S> {
         let mut kinetic = half * node_mass * mid * mid;
         let mut stored = two * self.primary.stored_energy(measure);
         kinetic += two
-            * self
-                .primary
-                .inner_kinetic_energy(paper, |i, v| match &self.crossover {
-                    Some(crossover) if crossover.node == i => {
-                        crossover.push(paper, self.step, &self.primary, v)
-                    }
-                    _ => v,
-                });
+            * self.primary.inner_kinetic_energy(paper, |i, v| match &self.crossover {
+                Some(crossover) if crossover.node == i => {
+                    crossover.push(paper, self.step, &self.primary, v)
+                }
+                _ => v,
+            });
         if let Some(crossover) = &self.crossover {
             let fibre = &crossover.fibre;
             momentum += arms * fibre.inner_momentum(|v| self.along_axis(v));
@@ -221,19 +217,12 @@ impl<S: Number, const D: usize> FibreState<S, D> {
 
     /// What (2) will make of an inner node's velocity in the next step.
     fn next_velocity(&self, paper: &impl Paper<S>, i: usize) -> Vector<S, D> {
-        paper.eqn_2_velocity(
-            self.velocity[i],
-            self.properties.a,
-            self.pull[i],
-            self.pull[i - 1],
-        )
+        paper.eqn_2_velocity(self.velocity[i], self.properties.a, self.pull[i], self.pull[i - 1])
     }
 
     /// Σ Δm v over the inner nodes, in the direction that `component` takes.
     fn inner_momentum(&self, component: impl Fn(&Vector<S, D>) -> S) -> S {
-        let sum = self
-            .inner_nodes()
-            .fold(S::zero(), |sum, i| sum + component(&self.velocity[i]));
+        let sum = self.inner_nodes().fold(S::zero(), |sum, i| sum + component(&self.velocity[i]));
         self.properties.mass * sum
     }
 
@@ -261,9 +250,8 @@ impl<S: Number, const D: usize> FibreState<S, D> {
             Strain::Engineering => S::half() * e * e,
             Strain::Incremental => logarithmic_energy(e),
         };
-        let sum = (0..self.elements()).fold(S::zero(), |sum, i| {
-            sum + density(self.strain[i]) * self.unstrained[i]
-        });
+        let sum = (0..self.elements())
+            .fold(S::zero(), |sum, i| sum + density(self.strain[i]) * self.unstrained[i]);
         self.properties.stiffness * sum
     }
 }
@@ -296,17 +284,12 @@ mod tests {
             let n = 4000;
             let h = (stretch - 1.0) / f64::from(n);
             let tension = |k: i32| Number::ln(1.0 + f64::from(k) * h);
-            let sum: f64 = (0..n)
-                .step_by(2)
-                .map(|k| tension(k) + 4.0 * tension(k + 1) + tension(k + 2))
-                .sum();
+            let sum: f64 =
+                (0..n).step_by(2).map(|k| tension(k) + 4.0 * tension(k + 1) + tension(k + 2)).sum();
             let expected = sum * h / 3.0;
             let energy = logarithmic_energy(Number::ln(stretch));
             // ln(1 + x) of a rounded 1 + x: 1e-16 of 3e-4 in the smallest case.
-            assert!(
-                (energy / expected - 1.0).abs() < 1e-11,
-                "{stretch}: {energy} {expected}"
-            );
+            assert!((energy / expected - 1.0).abs() < 1e-11, "{stretch}: {energy} {expected}");
         }
     }
 }

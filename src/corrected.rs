@@ -58,10 +58,7 @@ pub struct Corrected<M = Incremental> {
 impl<M: StrainMeasure> Corrected<M> {
     /// The edition with these corrections.
     pub fn new(corrections: Corrections) -> Self {
-        Self {
-            corrections,
-            measure: PhantomData,
-        }
+        Self { corrections, measure: PhantomData }
     }
 
     fn has(&self, erratum: Erratum) -> bool {
@@ -81,10 +78,7 @@ impl<M: StrainMeasure> Corrected<M> {
     /// Δm2/(Δm1 + Δm2) across; zero where the secondary's inertia is left out, as printed.
     fn secondary_share<S: Number>(&self, push: &CrossoverPush<S>) -> SecondaryShare<S> {
         if !self.has(Erratum::CrossoverInertia) {
-            return SecondaryShare {
-                along: S::zero(),
-                across: S::zero(),
-            };
+            return SecondaryShare { along: S::zero(), across: S::zero() };
         }
         let along = push.slide_factor * push.slide_factor * push.secondary_mass;
         SecondaryShare {
@@ -99,14 +93,7 @@ impl<M: StrainMeasure> Corrected<M> {
     /// below, in the same order of operations.
     fn corrected_lines(&self, equation: u8) -> Option<Vec<Line>> {
         let choose = |erratum, name, corrected, printed| {
-            line(
-                name,
-                if self.has(erratum) {
-                    corrected
-                } else {
-                    printed
-                },
-            )
+            line(name, if self.has(erratum) { corrected } else { printed })
         };
         match equation {
             3 if self.has(Erratum::StrainDenominator) => {
@@ -116,12 +103,7 @@ impl<M: StrainMeasure> Corrected<M> {
             8 => Some(vec![
                 choose(Erratum::ProjectileSign, "pull", "-{T_y}", "{T_y}"),
                 choose(Erratum::ProjectileInterval, "interval", "{dt}", "{t}"),
-                choose(
-                    Erratum::ProjectileInertia,
-                    "mass",
-                    "{m_p} + {m_node}",
-                    "{m_p}",
-                ),
+                choose(Erratum::ProjectileInertia, "mass", "{m_p} + {m_node}", "{m_p}"),
                 line("v_p", "{v_p_before} - 2 * {pull} * {interval} / {mass}"),
             ]),
             11 if self.has(Erratum::ThetaAtOrigin) => Some(vec![
@@ -144,22 +126,11 @@ impl<M: StrainMeasure> Corrected<M> {
         let mut lines = Vec::new();
         if equation == 17 {
             let sign = self.has(Erratum::PerpendicularSign);
-            lines.push(line(
-                "normal_x",
-                if sign {
-                    "-{cos_phi1_y}"
-                } else {
-                    "{cos_phi1_y}"
-                },
-            ));
+            lines.push(line("normal_x", if sign { "-{cos_phi1_y}" } else { "{cos_phi1_y}" }));
         }
         if self.has(Erratum::CrossoverInertia) {
             lines.extend(SHARES);
-            lines.extend(if equation == 17 {
-                U_WITH_INERTIA
-            } else {
-                V_WITH_INERTIA
-            });
+            lines.extend(if equation == 17 { U_WITH_INERTIA } else { V_WITH_INERTIA });
         } else {
             lines.push(if equation == 17 { U_ALONE } else { V_ALONE });
         }
@@ -216,8 +187,7 @@ impl<S: Number, M: StrainMeasure> Paper<S> for Corrected<M> {
     }
 
     fn lines(&self, equation: &'static Equation) -> Vec<Line> {
-        self.corrected_lines(equation.number)
-            .unwrap_or_else(|| equation.lines.to_vec())
+        self.corrected_lines(equation.number).unwrap_or_else(|| equation.lines.to_vec())
     }
 
     /// (3) with `L_i^{t−1}` below the line (`strain-denominator`).
@@ -238,16 +208,9 @@ impl<S: Number, M: StrainMeasure> Paper<S> for Corrected<M> {
     /// `v_p^t = v_p^{t−1} + 2 T_y Δt/(m_p + Δm)` (`projectile-sign`, `projectile-interval`,
     /// `projectile-inertia`).
     fn eqn_8_projectile_velocity(&self, push: ProjectilePush<S>) -> S {
-        let pull = if self.has(Erratum::ProjectileSign) {
-            -push.tension_y
-        } else {
-            push.tension_y
-        };
-        let interval = if self.has(Erratum::ProjectileInterval) {
-            push.time_step
-        } else {
-            push.time
-        };
+        let pull = if self.has(Erratum::ProjectileSign) { -push.tension_y } else { push.tension_y };
+        let interval =
+            if self.has(Erratum::ProjectileInterval) { push.time_step } else { push.time };
         let mass = if self.has(Erratum::ProjectileInertia) {
             push.mass + push.node_mass
         } else {
@@ -261,10 +224,7 @@ impl<S: Number, M: StrainMeasure> Paper<S> for Corrected<M> {
         if self.has(Erratum::ThetaAtOrigin) {
             let element = here - behind;
             let length = magnitude(element);
-            Direction {
-                cos: element.x / length,
-                sin: element.y / length,
-            }
+            Direction { cos: element.x / length, sin: element.y / length }
         } else {
             Printed.eqn_11_direction(here, behind)
         }
@@ -290,11 +250,7 @@ impl<S: Number, M: StrainMeasure> Paper<S> for Corrected<M> {
     fn eqn_17_u_at_crossover(&self, u: S, push: CrossoverPush<S>) -> S {
         let share = self.secondary_share(&push);
         let Cosines { x: cos_x, y: cos_y } = push.primary;
-        let normal_x = if self.has(Erratum::PerpendicularSign) {
-            -cos_y
-        } else {
-            cos_y
-        };
+        let normal_x = if self.has(Erratum::PerpendicularSign) { -cos_y } else { cos_y };
         let taken_back = share.along * along(&push) * cos_x - share.across * across(&push) * cos_y;
         u + S::two()
             * push.a

@@ -62,10 +62,7 @@ impl<S: Number> Properties<S> {
     }
 
     fn with_time_step(self, time_step: S) -> Self {
-        Self {
-            a: time_step / self.mass,
-            ..self
-        }
+        Self { a: time_step / self.mass, ..self }
     }
 
     /// The time a small longitudinal wave takes to cross one element, s.
@@ -90,11 +87,7 @@ impl<S: Number> Properties<S> {
             if d < S::zero() { -d } else { d }
         };
         let guess = (at / self.spacing).to_f64().floor();
-        let low = if guess >= 0.0 {
-            (guess as usize).min(self.elements)
-        } else {
-            0
-        };
+        let low = if guess >= 0.0 { (guess as usize).min(self.elements) } else { 0 };
         let high = (low + 1).min(self.elements);
         if away(high) < away(low) { high } else { low }
     }
@@ -124,10 +117,8 @@ impl<S: Number> Discretisation<S> {
         Self {
             time_step,
             primary: primary.with_time_step(time_step),
-            secondary: secondary.map(|s| Crossing {
-                fibre: s.fibre.with_time_step(time_step),
-                ..s
-            }),
+            secondary: secondary
+                .map(|s| Crossing { fibre: s.fibre.with_time_step(time_step), ..s }),
         }
     }
 

@@ -59,6 +59,16 @@ ledger! {
         trouble: "the two are not the same increment of strain",
         used: "(3) divides by L^{t-1}, as (4) does; the march advances by (4) in every edition",
     };
+    StrainPath = Entry {
+        id: "strain-path",
+        kind: Kind::Report,
+        equations: &[4],
+        printed: "ε^t = ε^{t-1} + L^t/L^{t-1} - 1",
+        trouble: "depends on the path: an element that is stretched by q and let go again keeps \
+                  (q - 1)²/q > 0, so oscillations wind strain up; above about half the wave speed \
+                  the impact runs away",
+        used: "unchanged; measured beside engineering strain, which has no memory",
+    };
     CrossSection = Entry {
         id: "cross-section",
         kind: Kind::Reading,
@@ -146,6 +156,15 @@ ledger! {
         trouble: "after slip nothing keeps it on the line of the primary fibre",
         used: "unchanged; its distance from the crossover's node is reported",
     };
+    SlideFrame = Entry {
+        id: "slide-frame",
+        kind: Kind::Report,
+        equations: &[9, 12, 13],
+        printed: "α_s multiplies v_para, the velocity of the primary's node over ground",
+        trouble: "at α_s < 1 the answer changes when the experiment moves along: slip should be a \
+                  velocity between the fibres",
+        used: "unchanged; measured and reported",
+    };
     EnergyClaim = Entry {
         id: "energy-claim",
         kind: Kind::Report,
@@ -226,17 +245,9 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_put_in_and_nothing_else() {
-        let set = Corrections::NONE
-            .with(Erratum::ProjectileSign)
-            .with(Erratum::Density);
-        assert_eq!(
-            set.iter().collect::<Vec<_>>(),
-            [Erratum::ProjectileSign, Erratum::Density]
-        );
-        assert_eq!(
-            set.without(Erratum::Density),
-            Corrections::NONE.with(Erratum::ProjectileSign)
-        );
+        let set = Corrections::NONE.with(Erratum::ProjectileSign).with(Erratum::Density);
+        assert_eq!(set.iter().collect::<Vec<_>>(), [Erratum::ProjectileSign, Erratum::Density]);
+        assert_eq!(set.without(Erratum::Density), Corrections::NONE.with(Erratum::ProjectileSign));
         assert_eq!(Corrections::ALL.iter().count(), LEDGER.len());
         assert_eq!(set.iter().collect::<Corrections>(), set);
     }

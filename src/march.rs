@@ -33,18 +33,14 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
     state.step += 1;
     let force_before = state.account_for_impulses();
     let (step, time_step) = (state.step, state.time_step);
-    let along = |fibre| Along {
-        step,
-        fibre,
-        time_step,
-    };
+    let along = |fibre| Along { step, fibre, time_step };
     let drive = state.projectile.axis * state.projectile.velocity;
     state.work.count(&state.primary);
 
     match &mut state.crossover {
         None => {
             along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
-            state.push_projectile(paper);
+            state.push_projectile(paper)?;
         }
         // θ is undefined at the origin: the projectile drives both fibres (`theta-at-origin`), and
         // is slowed by both.
@@ -52,14 +48,10 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
             state.work.count(&crossover.fibre);
             state.work.secondary += 1;
             along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
-            paper.at(Place {
-                step,
-                fibre: Fibre::Secondary,
-                index: 0,
-            });
+            paper.at(Place { step, fibre: Fibre::Secondary, index: 0 });
             let drive = Vector::<S, 3>::new(drive.x, drive.y, paper.eqn_14_secondary_w());
             along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, |_, _| ())?;
-            state.push_projectile(paper);
+            state.push_projectile(paper)?;
         }
         Some(crossover) => {
             state.work.count(&crossover.fibre);
@@ -74,7 +66,7 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
                         at_crossover.push(paper, step, primary, primary.velocity[ix]);
                 }
             })?;
-            state.push_projectile(paper);
+            state.push_projectile(paper)?;
             if let Some(crossover) = &mut state.crossover {
                 let drive = crossover.drive(paper, step, &state.primary);
                 along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, |_, _| ())?;
@@ -91,6 +83,15 @@ struct Along<S> {
     step: u64,
     fibre: Fibre,
     time_step: S,
+}
+
+/// What the equations of an element read: `position` and `velocity` of one node more than there are
+/// elements.
+struct Elements<'f, S: Number, const D: usize> {
+    position: &'f [Vector<S, D>],
+    velocity: &'f [Vector<S, D>],
+    unstrained: &'f [S],
+    stiffness: S,
 }
 
 impl<S: Number> Along<S> {
@@ -118,13 +119,32 @@ impl<S: Number> Along<S> {
         while start < front {
             let end = (start + P::BLOCK).min(front);
             let nodes = start + 1..(end + 1).min(clamp);
-            self.velocities(paper, fibre, nodes.clone());
+            self.velocities(
+                paper,
+                nodes.start,
+                fibre.properties.a,
+                &mut fibre.velocity[nodes.clone()],
+                &fibre.pull[start..],
+            );
             adjust(fibre, nodes);
-            self.elements(paper, fibre, start..end)?;
-            for (x, v) in fibre.position[start..end]
-                .iter_mut()
-                .zip(&fibre.velocity[start..end])
-            {
+            let elements = Elements {
+                position: &fibre.position[start..=end],
+                velocity: &fibre.velocity[start..=end],
+                unstrained: &fibre.unstrained[start..end],
+                stiffness: fibre.properties.stiffness,
+            };
+            let finite = self.elements(
+                paper,
+                start,
+                elements,
+                &mut fibre.strain[start..end],
+                &mut fibre.tension[start..end],
+                &mut fibre.pull[start..end],
+            );
+            if !finite {
+                return Err(self.diverged(fibre, start..end));
+            }
+            for (x, v) in fibre.position[start..end].iter_mut().zip(&fibre.velocity[start..end]) {
                 *x += *v * dt;
             }
             start = end;
@@ -136,48 +156,48 @@ impl<S: Number> Along<S> {
         Ok(())
     }
 
-    /// (2) for a block of inner nodes.
+    /// (2) for a block of inner nodes, from the one with index `first`; `pull` begins one element
+    /// before it.
     #[inline(always)]
     fn velocities<const D: usize>(
         &self,
         paper: &impl Paper<S>,
-        fibre: &mut FibreState<S, D>,
-        nodes: Range<usize>,
+        first: usize,
+        a: S,
+        velocity: &mut [Vector<S, D>],
+        pull: &[Vector<S, D>],
     ) {
-        let count = nodes.len();
-        let a = fibre.properties.a;
-        let velocity = &mut fibre.velocity[nodes.start..][..count];
-        let here = &fibre.pull[nodes.start - 1..][..count];
-        let ahead = &fibre.pull[nodes.start..][..count];
+        let count = velocity.len();
+        let (here, ahead) = (&pull[..count], &pull[1..][..count]);
         for i in 0..count {
-            paper.at(self.place(nodes.start + i));
+            paper.at(self.place(first + i));
             velocity[i] = paper.eqn_2_velocity(velocity[i], a, ahead[i], here[i]);
         }
     }
 
-    /// (5), (6), (4) and (7) for a block of elements whose nodes have their new velocities and their
-    /// old positions.
+    /// (5), (6), (4) and (7) for a block of elements, from the one with index `first`, whose nodes
+    /// have their new velocities and their old positions. Whether all of it is finite.
+    ///
+    /// What it writes comes as three slices of their own, so that the compiler knows them apart.
     #[inline(always)]
     fn elements<const D: usize>(
         &self,
         paper: &impl Paper<S>,
-        fibre: &mut FibreState<S, D>,
-        block: Range<usize>,
-    ) -> Result<(), Outcome> {
-        let count = block.len();
+        first: usize,
+        elements: Elements<'_, S, D>,
+        strain: &mut [S],
+        tension: &mut [S],
+        pull: &mut [Vector<S, D>],
+    ) -> bool {
+        let count = strain.len();
         let dt = self.time_step;
-        let stiffness = fibre.properties.stiffness;
-        let x_here = &fibre.position[block.start..][..count];
-        let x_ahead = &fibre.position[block.start + 1..][..count];
-        let v_here = &fibre.velocity[block.start..][..count];
-        let v_ahead = &fibre.velocity[block.start + 1..][..count];
-        let unstrained = &fibre.unstrained[block.start..][..count];
-        let strain = &mut fibre.strain[block.start..][..count];
-        let tension = &mut fibre.tension[block.start..][..count];
-        let pull = &mut fibre.pull[block.start..][..count];
+        let (x_here, x_ahead) = (&elements.position[..count], &elements.position[1..][..count]);
+        let (v_here, v_ahead) = (&elements.velocity[..count], &elements.velocity[1..][..count]);
+        let unstrained = &elements.unstrained[..count];
+        let (tension, pull) = (&mut tension[..count], &mut pull[..count]);
         let mut finite = true;
         for i in 0..count {
-            paper.at(self.place(block.start + i));
+            paper.at(self.place(first + i));
             let length = Lengths {
                 previous: if paper.uses_previous_length() {
                     paper.eqn_5_previous_length(x_ahead[i], x_here[i])
@@ -188,26 +208,18 @@ impl<S: Number> Along<S> {
                 unstrained: unstrained[i],
             };
             strain[i] = paper.eqn_4_strain(strain[i], length);
-            tension[i] = paper.eqn_7_tension(stiffness, strain[i]);
+            tension[i] = paper.eqn_7_tension(elements.stiffness, strain[i]);
             // "The tension T_i has the same direction as the element itself."
             let element = (x_ahead[i] + v_ahead[i] * dt) - (x_here[i] + v_here[i] * dt);
             let pull_per_length = tension[i] / length.now;
             pull[i] = element * pull_per_length;
             finite &= pull_per_length.is_finite();
         }
-        if finite {
-            Ok(())
-        } else {
-            Err(self.diverged(fibre, block))
-        }
+        finite
     }
 
     fn place(&self, index: usize) -> Place {
-        Place {
-            step: self.step,
-            fibre: self.fibre,
-            index,
-        }
+        Place { step: self.step, fibre: self.fibre, index }
     }
 
     /// Names the first equation of a block whose result is not finite, or the length that vanished.
@@ -227,10 +239,7 @@ impl<S: Number> Along<S> {
             } else {
                 continue;
             };
-            return Outcome::Diverged {
-                place: self.place(index),
-                equation,
-            };
+            return Outcome::Diverged { place: self.place(index), equation };
         }
         unreachable!("an element of the block was found not to be finite")
     }
@@ -248,26 +257,16 @@ impl<S: Number> Crossover<S> {
         primary: &FibreState<S, 2>,
         v: Vector<S, 2>,
     ) -> Vector<S, 2> {
-        paper.at(Place {
-            step,
-            fibre: Fibre::Primary,
-            index: self.node,
-        });
+        paper.at(Place { step, fibre: Fibre::Primary, index: self.node });
         let phi_1 = {
             let element = primary.position[self.node] - primary.position[self.node - 1];
             let length = magnitude(element);
-            Cosines {
-                x: element.x / length,
-                y: element.y / length,
-            }
+            Cosines { x: element.x / length, y: element.y / length }
         };
         let phi_2 = {
             let element = self.fibre.position[1] - self.fibre.position[0];
             let length = magnitude(element);
-            Cosines {
-                x: element.x / length,
-                y: element.y / length,
-            }
+            Cosines { x: element.x / length, y: element.y / length }
         };
         let tension = self.fibre.tension[0];
         let push = CrossoverPush {
@@ -293,11 +292,7 @@ impl<S: Number> Crossover<S> {
         step: u64,
         primary: &FibreState<S, 2>,
     ) -> Vector<S, 3> {
-        paper.at(Place {
-            step,
-            fibre: Fibre::Secondary,
-            index: 0,
-        });
+        paper.at(Place { step, fibre: Fibre::Secondary, index: 0 });
         let ix = self.node;
         let velocity = primary.velocity[ix];
         let theta = paper.eqn_11_direction(primary.position[ix], primary.position[ix - 1]);
@@ -329,14 +324,8 @@ impl<S: Number> Crossover<S> {
             self.moves += 1;
         }
         match nearest {
-            0 => Err(Outcome::CrossoverLeft {
-                step,
-                end: End::ImpactPoint,
-            }),
-            n if n == primary.elements() => Err(Outcome::CrossoverLeft {
-                step,
-                end: End::Clamp,
-            }),
+            0 => Err(Outcome::CrossoverLeft { step, end: End::ImpactPoint }),
+            n if n == primary.elements() => Err(Outcome::CrossoverLeft { step, end: End::Clamp }),
             _ => Ok(()),
         }
     }
@@ -345,15 +334,13 @@ impl<S: Number> Crossover<S> {
 impl<S: Number> State<S> {
     /// Eqn (8), "at the completion of the lengthwise recursive calculations"; left out where the
     /// velocity stays constant.
-    fn push_projectile(&mut self, paper: &impl Paper<S>) {
+    fn push_projectile(&mut self, paper: &impl Paper<S>) -> Result<(), Outcome> {
         let Some(mass) = self.projectile.mass else {
-            return;
+            return Ok(());
         };
-        paper.at(Place {
-            step: self.step,
-            fibre: Fibre::Primary,
-            index: 0,
-        });
+        let place = Place { step: self.step, fibre: Fibre::Primary, index: 0 };
+        paper.at(place);
+        self.work.projectile += 1;
         self.projectile.velocity = paper.eqn_8_projectile_velocity(ProjectilePush {
             velocity: self.projectile.velocity,
             tension_y: self.first_tension_along_axis(),
@@ -362,5 +349,10 @@ impl<S: Number> State<S> {
             time_step: self.time_step,
             time: self.time(),
         });
+        if self.projectile.velocity.is_finite() {
+            Ok(())
+        } else {
+            Err(Outcome::Diverged { place, equation: 8 })
+        }
     }
 }

@@ -29,12 +29,12 @@ pub enum Outcome {
         /// Which end.
         end: End,
     },
-    /// Every number is finite, but the fibres hold far more energy than was put in.
-    EnergyGained {
+    /// Every number is finite, but the energy balance is broken: an instability has run away.
+    EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
-        /// Energy found over energy put in.
-        ratio: f64,
+        /// Residual of the balance over the energy put in, without its sign.
+        residual: f64,
     },
 }
 
@@ -60,18 +60,11 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Completed => write!(f, "completed"),
-            Self::Diverged {
-                place: Place { step, fibre, index },
-                equation,
-            } => write!(
+            Self::Diverged { place: Place { step, fibre, index }, equation } => write!(
                 f,
                 "diverged: eqn ({equation}) is not finite at step {step}, {} {} {index}",
                 fibre.name(),
-                if matches!(equation, 4..=7) {
-                    "element"
-                } else {
-                    "node"
-                },
+                if matches!(equation, 4..=7) { "element" } else { "node" },
             ),
             Self::CrossoverLeft { step, end } => {
                 let end = match end {
@@ -84,9 +77,10 @@ impl fmt::Display for Outcome {
                     Fibre::Primary.name()
                 )
             }
-            Self::EnergyGained { step, ratio } => write!(
+            Self::EnergyUnbalanced { step, residual } => write!(
                 f,
-                "unstable: at step {step} the fibres hold {ratio:.3e} times the energy put in"
+                "unstable: at step {step} the energy balance is off by {residual:.1e} times the \
+                 energy put in"
             ),
         }
     }

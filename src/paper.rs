@@ -235,10 +235,7 @@ pub trait Paper<S: Number> {
     #[inline]
     fn eqn_11_direction(&self, here: Vector<S, 2>, behind: Vector<S, 2>) -> Direction<S> {
         let theta = ((here.y - behind.y) / (here.x - behind.x)).atan();
-        Direction {
-            cos: theta.cos(),
-            sin: theta.sin(),
-        }
+        Direction { cos: theta.cos(), sin: theta.sin() }
     }
 
     /// **(12)** `u2_1^t = α_s v_para^t cos θ_ix^t − v_perp^t sin θ_ix^t`

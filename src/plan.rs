@@ -149,11 +149,7 @@ fn equations(scene: &Scene, crossover_node: Option<usize>) -> Vec<EquationPlan> 
     (1..=20)
         .map(|equation| {
             let why = why(equation);
-            EquationPlan {
-                equation,
-                runs: why.is_ok(),
-                why: why.unwrap_or_else(|no| no),
-            }
+            EquationPlan { equation, runs: why.is_ok(), why: why.unwrap_or_else(|no| no) }
         })
         .collect()
 }

@@ -232,7 +232,6 @@ fn check_slide_factor(slide_factor: f64) -> Result<(), Problem> {
 }
 
 fn check_properties(path: &str, fibre: &Properties<f64>) -> Result<(), Problem> {
-    in_range(path, "the element length Δx", fibre.spacing)?;
     in_range(
         path,
         "Δx², which (5) and (6) take the root of,",

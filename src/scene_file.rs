@@ -244,5 +244,9 @@ pub(crate) fn bare(error: &serde_json::Error) -> String {
 }
 
 fn path_of<E>(error: &serde_path_to_error::Error<E>) -> String {
-    error.path().to_string().trim_end_matches(['.', '?']).into()
+    let path = error.path().to_string();
+    match path.as_str() {
+        "." | "?" => String::new(),
+        _ => path.strip_suffix(".?").unwrap_or(&path).into(),
+    }
 }

@@ -63,11 +63,8 @@ fn unknown(text: &str, path: &str, message: &str, name: &str, known: &[&str]) ->
         .strip_suffix(name)
         .unwrap_or(path)
         .trim_end_matches('.');
-    let object = if key(text, path, name, 0).is_some() {
-        path
-    } else {
-        outer
-    };
+    let inside = path.ends_with(".material") && key(text, path, name, 0).is_some();
+    let object = if inside { path } else { outer };
     let problem = Problem {
         path: join(object, name),
         message,

@@ -130,10 +130,7 @@ impl<S: Number, const D: usize> FibreState<S, D> {
             .collect();
         let nothing = vec![S::zero(); fibre.elements];
         Self {
-            unstrained: position
-                .windows(2)
-                .map(|ends| magnitude(ends[1] - ends[0]))
-                .collect(),
+            unstrained: position.windows(2).map(|ends| magnitude(ends[1] - ends[0])).collect(),
             velocity: vec![Vector::zeros(); fibre.elements + 1],
             pull: vec![Vector::zeros(); fibre.elements],
             strain: nothing.clone(),

@@ -53,16 +53,8 @@ pub struct Traced<'p, P, K> {
 impl<'p, P, K> Traced<'p, P, K> {
     /// Wraps an edition.
     pub fn new(paper: &'p P, sink: K) -> Self {
-        let place = Cell::new(Place {
-            step: 0,
-            fibre: Fibre::Primary,
-            index: 0,
-        });
-        Self {
-            paper,
-            sink: RefCell::new(sink),
-            place,
-        }
+        let place = Cell::new(Place { step: 0, fibre: Fibre::Primary, index: 0 });
+        Self { paper, sink: RefCell::new(sink), place }
     }
 
     /// The sink, when the march is over.
@@ -74,12 +66,7 @@ impl<'p, P, K> Traced<'p, P, K> {
     where
         K: Sink<S>,
     {
-        let event = Event {
-            place: self.place.get(),
-            equation,
-            inputs,
-            output,
-        };
+        let event = Event { place: self.place.get(), equation, inputs, output };
         self.sink.borrow_mut().event(&event);
     }
 }
@@ -141,9 +128,7 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
         tension_ahead: Vector<S, D>,
         tension_here: Vector<S, D>,
     ) -> Vector<S, D> {
-        let out = self
-            .paper
-            .eqn_2_velocity(previous_velocity, a, tension_ahead, tension_here);
+        let out = self.paper.eqn_2_velocity(previous_velocity, a, tension_ahead, tension_here);
         let inputs = [
             ("v_before", vector(&previous_velocity)),
             ("A", scalar(a)),
@@ -182,13 +167,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
         position_ahead: Vector<S, D>,
         position_here: Vector<S, D>,
     ) -> S {
-        let out = self
-            .paper
-            .eqn_5_previous_length(position_ahead, position_here);
-        let inputs = [
-            ("x_ahead", vector(&position_ahead)),
-            ("x_here", vector(&position_here)),
-        ];
+        let out = self.paper.eqn_5_previous_length(position_ahead, position_here);
+        let inputs = [("x_ahead", vector(&position_ahead)), ("x_here", vector(&position_here))];
         self.report(5, &inputs, scalar(out));
         out
     }
@@ -221,11 +201,7 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
 
     fn eqn_7_tension(&self, stiffness: S, strain: S) -> S {
         let out = self.paper.eqn_7_tension(stiffness, strain);
-        self.report(
-            7,
-            &[("E", scalar(stiffness)), ("strain", scalar(strain))],
-            scalar(out),
-        );
+        self.report(7, &[("E", scalar(stiffness)), ("strain", scalar(strain))], scalar(out));
         out
     }
 
@@ -274,14 +250,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
         perpendicular: S,
         theta: Direction<S>,
     ) -> S {
-        let out = self
-            .paper
-            .eqn_12_secondary_u(slide_factor, parallel, perpendicular, theta);
-        self.report(
-            12,
-            &imposed(slide_factor, parallel, perpendicular, theta),
-            scalar(out),
-        );
+        let out = self.paper.eqn_12_secondary_u(slide_factor, parallel, perpendicular, theta);
+        self.report(12, &imposed(slide_factor, parallel, perpendicular, theta), scalar(out));
         out
     }
 
@@ -292,14 +262,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
         perpendicular: S,
         theta: Direction<S>,
     ) -> S {
-        let out = self
-            .paper
-            .eqn_13_secondary_v(slide_factor, parallel, perpendicular, theta);
-        self.report(
-            13,
-            &imposed(slide_factor, parallel, perpendicular, theta),
-            scalar(out),
-        );
+        let out = self.paper.eqn_13_secondary_v(slide_factor, parallel, perpendicular, theta);
+        self.report(13, &imposed(slide_factor, parallel, perpendicular, theta), scalar(out));
         out
     }
 
@@ -310,14 +274,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
     }
 
     fn eqn_15_parallel_tension(&self, tension: S, secondary: Cosines<S>, primary: Cosines<S>) -> S {
-        let out = self
-            .paper
-            .eqn_15_parallel_tension(tension, secondary, primary);
-        self.report(
-            15,
-            &tension_and_cosines(tension, secondary, primary),
-            scalar(out),
-        );
+        let out = self.paper.eqn_15_parallel_tension(tension, secondary, primary);
+        self.report(15, &tension_and_cosines(tension, secondary, primary), scalar(out));
         out
     }
 
@@ -327,14 +285,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
         secondary: Cosines<S>,
         primary: Cosines<S>,
     ) -> S {
-        let out = self
-            .paper
-            .eqn_16_perpendicular_tension(tension, secondary, primary);
-        self.report(
-            16,
-            &tension_and_cosines(tension, secondary, primary),
-            scalar(out),
-        );
+        let out = self.paper.eqn_16_perpendicular_tension(tension, secondary, primary);
+        self.report(16, &tension_and_cosines(tension, secondary, primary), scalar(out));
         out
     }
 
@@ -359,11 +311,8 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
 
     fn eqn_20_courant(&self, wave_speed: S, time_step: S, spacing: S) -> S {
         let out = self.paper.eqn_20_courant(wave_speed, time_step, spacing);
-        let inputs = [
-            ("c", scalar(wave_speed)),
-            ("dt", scalar(time_step)),
-            ("dx", scalar(spacing)),
-        ];
+        let inputs =
+            [("c", scalar(wave_speed)), ("dt", scalar(time_step)), ("dx", scalar(spacing))];
         self.report(20, &inputs, scalar(out));
         out
     }
@@ -372,12 +321,7 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
 type Input<S> = (&'static str, Value<'static, S>);
 
 fn velocity_and_angle<S>(u: S, v: S, theta: Direction<S>) -> [Input<S>; 4] {
-    [
-        ("u", scalar(u)),
-        ("v", scalar(v)),
-        ("cos", scalar(theta.cos)),
-        ("sin", scalar(theta.sin)),
-    ]
+    [("u", scalar(u)), ("v", scalar(v)), ("cos", scalar(theta.cos)), ("sin", scalar(theta.sin))]
 }
 
 fn imposed<S>(

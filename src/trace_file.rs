@@ -37,13 +37,8 @@ pub struct Filter {
 impl Filter {
     /// Whether an event of this place and equation is kept.
     pub fn keeps(&self, place: Place, equation: u8) -> bool {
-        self.steps
-            .as_ref()
-            .is_none_or(|steps| steps.contains(&place.step))
-            && self
-                .indices
-                .as_ref()
-                .is_none_or(|indices| indices.contains(&place.index))
+        self.steps.as_ref().is_none_or(|steps| steps.contains(&place.step))
+            && self.indices.as_ref().is_none_or(|indices| indices.contains(&place.index))
             && self.fibre.is_none_or(|fibre| fibre == place.fibre)
             && (self.equations.is_empty() || self.equations.contains(&equation))
     }
@@ -92,19 +87,9 @@ impl<W: Write> JsonLines<W> {
                 lines: paper.lines(e),
             })
             .collect();
-        let header = Header {
-            format: FORMAT,
-            scene,
-            equations,
-            symbols: SYMBOLS,
-        };
+        let header = Header { format: FORMAT, scene, equations, symbols: SYMBOLS };
         write_line(&mut out, &header)?;
-        Ok(Self {
-            out,
-            filter,
-            written: 0,
-            failure: None,
-        })
+        Ok(Self { out, filter, written: 0, failure: None })
     }
 
     /// The number of events written, or the first failure.
@@ -182,11 +167,7 @@ struct Finite<S>(S);
 
 impl<S: Number> Serialize for Finite<S> {
     fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
-        if self.0.is_finite() {
-            self.0.serialize(to)
-        } else {
-            to.collect_str(&self.0)
-        }
+        if self.0.is_finite() { self.0.serialize(to) } else { to.collect_str(&self.0) }
     }
 }
 
@@ -196,19 +177,12 @@ mod tests {
 
     #[test]
     fn an_event_is_one_json_object_that_reads_back_to_the_same_bits() {
-        let place = Place {
-            step: 7,
-            fibre: Fibre::Primary,
-            index: 12,
-        };
+        let place = Place { step: 7, fibre: Fibre::Primary, index: 12 };
         let v = [0.1_f64 + 0.2, -1e-310];
         let event = Event {
             place,
             equation: 4,
-            inputs: &[
-                ("L", Value::Scalar(1.0_f64 / 3.0)),
-                ("v", Value::Vector(&v)),
-            ],
+            inputs: &[("L", Value::Scalar(1.0_f64 / 3.0)), ("v", Value::Vector(&v))],
             output: Value::Scalar(f64::INFINITY),
         };
         let text = serde_json::to_string(&event).unwrap();
@@ -218,14 +192,8 @@ mod tests {
              \"in\":{\"L\":0.3333333333333333,\"v\":[0.30000000000000004,-1e-310]},\"out\":\"inf\"}"
         );
         let back: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(
-            back["in"]["v"][0].as_f64().unwrap().to_bits(),
-            v[0].to_bits()
-        );
-        assert_eq!(
-            back["in"]["v"][1].as_f64().unwrap().to_bits(),
-            v[1].to_bits()
-        );
+        assert_eq!(back["in"]["v"][0].as_f64().unwrap().to_bits(), v[0].to_bits());
+        assert_eq!(back["in"]["v"][1].as_f64().unwrap().to_bits(), v[1].to_bits());
     }
 
     #[test]
@@ -236,22 +204,12 @@ mod tests {
             fibre: Some(Fibre::Secondary),
             equations: vec![4, 6],
         };
-        let place = Place {
-            step: 4,
-            fibre: Fibre::Secondary,
-            index: 2,
-        };
+        let place = Place { step: 4, fibre: Fibre::Secondary, index: 2 };
         assert!(filter.keeps(place, 6));
         assert!(!filter.keeps(place, 5));
         assert!(!filter.keeps(Place { step: 6, ..place }, 6));
         assert!(!filter.keeps(Place { index: 1, ..place }, 6));
-        assert!(!filter.keeps(
-            Place {
-                fibre: Fibre::Primary,
-                ..place
-            },
-            6
-        ));
+        assert!(!filter.keeps(Place { fibre: Fibre::Primary, ..place }, 6));
         assert!(Filter::default().keeps(place, 1));
     }
 }
