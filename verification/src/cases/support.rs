@@ -1,0 +1,226 @@
+//! What the cases share: shipped scenes, finished marches, windows and orders.
+
+use crossfibre::exact::crossover::{Crossover, crossover};
+use crossfibre::exact::smith::{Fibre, Law, Smith, Strain as ExactStrain, smith};
+use crossfibre::march;
+use crossfibre::number::Number;
+use crossfibre::outcome::Outcome;
+use crossfibre::paper::Paper;
+use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::scene::{Scene, Strain};
+use crossfibre::state::{FibreState, State, Wavefront};
+use crossfibre::{balance::Balance, discretisation::Discretisation, scene_file};
+
+use super::{Bound, Check};
+
+macro_rules! scenes {
+    ($($name:literal),* $(,)?) => {
+        /// The shipped scenes by name.
+        pub const SCENES: &[(&str, &str)] =
+            &[$(($name, include_str!(concat!("../../scenes/", $name, ".json")))),*];
+    };
+}
+
+scenes! {
+    "both-at-origin", "fig3", "fig3-printed", "finite-projectile", "single-400",
+    "single-400-1440", "sliding", "timing", "unequal",
+}
+
+/// A shipped scene.
+///
+/// # Panics
+/// If there is none of that name, or it cannot be read: a fault of this program.
+pub fn shipped(name: &str) -> Scene {
+    let (_, text) = SCENES
+        .iter()
+        .find(|(n, _)| *n == name)
+        .unwrap_or_else(|| panic!("no shipped scene is called {name}"));
+    scene_file::read(text).unwrap_or_else(|fault| panic!("{name}: {fault}"))
+}
+
+/// Fig. 3 with another slide factor.
+pub fn with_slide_factor(slide_factor: f64) -> Scene {
+    let mut scene = shipped("fig3");
+    if let Some(secondary) = &mut scene.secondary {
+        secondary.slide_factor = slide_factor;
+    }
+    scene
+}
+
+/// A scene on a mesh `factor` times as fine.
+pub fn refined(mut scene: Scene, factor: usize) -> Scene {
+    scene.primary.elements *= factor;
+    if let Some(secondary) = &mut scene.secondary {
+        secondary.elements *= factor;
+    }
+    scene
+}
+
+/// A scene with another measure of strain.
+pub fn measured_by(strain: Strain, scene: Scene) -> Scene {
+    Scene { strain, ..scene }
+}
+
+/// The law that a scene's equations amount to: (4) and (7) are T = E ln λ.
+pub fn law(scene: &Scene) -> Law {
+    match scene.strain {
+        Strain::Incremental => Law::Logarithmic,
+        Strain::Engineering => Law::Engineering,
+    }
+}
+
+/// The component of an exact strain that a scene's measure accumulates.
+pub fn component(scene: &Scene, strain: ExactStrain) -> f64 {
+    match scene.strain {
+        Strain::Incremental => strain.logarithmic,
+        Strain::Engineering => strain.engineering,
+    }
+}
+
+/// The struck fibre for the closed forms.
+pub fn exact_primary(scene: &Scene) -> Fibre {
+    let p = &scene.primary;
+    Fibre { modulus: p.material.instantaneous_modulus(), density: p.density, area: p.area }
+}
+
+/// Smith's solution for a scene.
+pub fn exact_single(scene: &Scene) -> Smith {
+    let wave_speed = exact_primary(scene).wave_speed();
+    smith(law(scene), wave_speed, scene.projectile.velocity).expect("the scene is in Smith's range")
+}
+
+/// The exact state around the crossover of a scene.
+pub fn exact_crossover(scene: &Scene) -> Crossover {
+    let s = scene.secondary.as_ref().expect("the scene has a secondary");
+    let modulus = s.material.instantaneous_modulus();
+    let secondary = Fibre { modulus, density: s.density, area: s.area };
+    let primary = exact_primary(scene);
+    crossover(law(scene), &primary, &secondary, s.slide_factor, scene.projectile.velocity)
+        .expect("the scene is in the range of the closed form")
+}
+
+/// A finished march.
+pub struct Marched {
+    /// The last state.
+    pub state: State<f64>,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Energy and momentum at the end.
+    pub balance: Balance,
+}
+
+/// What a case changes before the first step.
+type Prepare<'a> = &'a dyn Fn(&mut State<f64>);
+
+/// Marches a scene to its end.
+pub fn marched(scene: Scene) -> Marched {
+    marched_from(scene, Wavefront::Flagged, &|_| {})
+}
+
+/// Marches a scene with a prepared start.
+pub fn marched_from(scene: Scene, wavefront: Wavefront, prepare: Prepare<'_>) -> Marched {
+    watched(scene, wavefront, prepare, |_| {})
+}
+
+/// Marches a scene and looks at every step.
+pub fn watched(
+    scene: Scene,
+    wavefront: Wavefront,
+    prepare: Prepare<'_>,
+    watch: impl FnMut(&State<f64>),
+) -> Marched {
+    struct March<'a, F>(&'a Scene, Wavefront, Prepare<'a>, F);
+    impl<F: FnMut(&State<f64>)> WithPaper<f64> for March<'_, F> {
+        type Out = (State<f64>, Outcome, Balance);
+        fn with(self, paper: &impl Paper<f64>) -> Self::Out {
+            let Self(scene, wavefront, prepare, watch) = self;
+            let mut state = State::at_impact(scene, wavefront);
+            prepare(&mut state);
+            let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
+            let outcome = march::run(paper, &mut state, steps, watch);
+            let balance = state.balance(paper, scene.strain);
+            (state, outcome, balance)
+        }
+    }
+    let (state, outcome, balance) = with_paper(&scene, March(&scene, wavefront, prepare, watch));
+    Marched { state, outcome, balance }
+}
+
+impl Marched {
+    /// Mean strain of the primary between two Lagrangian distances, m.
+    pub fn primary_strain(&self, from: f64, to: f64) -> f64 {
+        mean(&self.state.primary, &self.state.primary.strain, from, to)
+    }
+
+    /// Mean strain of the secondary between two Lagrangian distances, m.
+    pub fn secondary_strain(&self, from: f64, to: f64) -> f64 {
+        let fibre = &self.state.crossover.as_ref().expect("the scene has a secondary").fibre;
+        mean(fibre, &fibre.strain, from, to)
+    }
+}
+
+/// Mean of an element's quantity over the elements whose middle lies between two distances.
+pub fn mean<const D: usize>(fibre: &FibreState<f64, D>, of: &[f64], from: f64, to: f64) -> f64 {
+    let dx = fibre.properties.spacing;
+    let inside = of.iter().enumerate().filter_map(|(i, &x)| {
+        let middle = (i as f64 + 0.5) * dx;
+        (from <= middle && middle <= to).then_some(x)
+    });
+    let (sum, count) = inside.fold((0.0, 0.0), |(sum, n), x| (sum + x, n + 1.0));
+    sum / count
+}
+
+/// Observed order of convergence when an error falls from `coarse` to `fine` on a mesh `ratio`
+/// times as fine.
+pub fn order(coarse: f64, fine: f64, ratio: f64) -> f64 {
+    Number::ln(coarse.abs() / fine.abs()) / Number::ln(ratio)
+}
+
+/// |a/b − 1|.
+pub fn relative(a: f64, b: f64) -> f64 {
+    (a / b - 1.0).abs()
+}
+
+/// A check, with the words in the order they are read.
+pub fn check(
+    claim: impl Into<String>,
+    oracle: &str,
+    norm: &str,
+    measured: f64,
+    bound: Bound,
+    reason: &str,
+) -> Check {
+    Check {
+        claim: claim.into(),
+        oracle: oracle.into(),
+        norm: norm.into(),
+        measured,
+        bound,
+        reason: reason.into(),
+    }
+}
+
+/// The number of positions and velocities whose bits differ between two fibres, and of strains and
+/// tensions. Components are compared by number: the bits of −0 and 0 count as different.
+pub fn different_bits<const D: usize, const E: usize>(
+    a: &FibreState<f64, D>,
+    b: &FibreState<f64, E>,
+    component: impl Fn(usize) -> usize,
+) -> f64 {
+    let vectors = |a: &[crossfibre::number::Vector<f64, D>],
+                   b: &[crossfibre::number::Vector<f64, E>]| {
+        a.iter()
+            .zip(b)
+            .flat_map(|(a, b)| (0..D).map(|k| (a[k], b[component(k)])).collect::<Vec<_>>())
+            .filter(|(a, b)| a.to_bits() != b.to_bits())
+            .count()
+    };
+    let scalars =
+        |a: &[f64], b: &[f64]| a.iter().zip(b).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
+    let unequal_length = a.strain.len().abs_diff(b.strain.len());
+    (unequal_length
+        + vectors(&a.position, &b.position)
+        + vectors(&a.velocity, &b.velocity)
+        + scalars(&a.strain, &b.strain)
+        + scalars(&a.tension, &b.tension)) as f64
+}
