@@ -1,1 +1,14 @@
 //! The `crossfibre` command: runs, traces, plans and verifies the reference.
+
+pub mod cases;
+pub mod claims;
+pub mod command;
+pub mod exit;
+pub mod ledger_effects;
+pub mod output;
+pub mod record;
+pub mod report;
+pub mod summary;
+pub mod trace_line;
+pub mod wide;
+pub mod worked;

@@ -1,2 +1,5 @@
 //! The `crossfibre` command.
-fn main() {}
+
+fn main() -> std::process::ExitCode {
+    crossfibre_verification::command::main()
+}

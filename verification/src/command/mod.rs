@@ -1,0 +1,75 @@
+//! The command line. Each subcommand is a file; each returns how the command ends, or an error that
+//! is told in a line and ends it with code 1.
+
+mod ended;
+mod plan;
+mod run;
+mod scene;
+mod schema;
+mod select;
+mod trace;
+mod verify;
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+use crate::exit::{self, Exit};
+use crate::output::is_broken_pipe;
+
+/// A literal, traceable reference of a 1980 model of stress waves in two crossed fibres.
+#[derive(Parser)]
+#[command(name = "crossfibre", version, after_help = exit::HELP, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scene and say what came of it.
+    Run(run::Args),
+    /// Print every number of every equation that a scene evaluates, or those you choose.
+    Trace(trace::Args),
+    /// Say what a run of a scene will do: mesh, time step, equations that run and that do not.
+    Plan(plan::Args),
+    /// Run the checks, say what came of them and write the reports.
+    Verify(verify::Args),
+    /// Print the JSON Schema of a file format.
+    Schema(schema::Args),
+}
+
+/// The whole command, from arguments to exit code.
+pub fn main() -> ExitCode {
+    exit::guarded(|| match Cli::try_parse() {
+        Ok(cli) => told(run(cli.command)),
+        Err(usage) => {
+            // Help that was asked for is no error. A message that cannot be printed is lost.
+            let _ = usage.print();
+            if usage.use_stderr() { Exit::BadInput } else { Exit::Well }
+        }
+    })
+    .into()
+}
+
+fn run(command: Command) -> Result<Exit> {
+    match command {
+        Command::Run(args) => run::run(&args),
+        Command::Trace(args) => trace::run(args),
+        Command::Plan(args) => plan::run(&args),
+        Command::Verify(args) => verify::run(&args),
+        Command::Schema(args) => schema::run(&args),
+    }
+}
+
+fn told(ended: Result<Exit>) -> Exit {
+    match ended {
+        Ok(exit) => exit,
+        Err(error) if is_broken_pipe(&error) => Exit::Well,
+        Err(error) => {
+            exit::say(&format!("error: {error:#}"));
+            Exit::BadInput
+        }
+    }
+}

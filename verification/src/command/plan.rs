@@ -1,0 +1,108 @@
+//! `crossfibre plan`: what a run of a scene will do.
+
+use std::fmt::{self, Display};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::Result;
+use crossfibre::equations::equation;
+use crossfibre::errata::LEDGER;
+use crossfibre::plan::Plan;
+
+use super::scene;
+use crate::exit::Exit;
+use crate::output::Destination;
+
+/// Arguments.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The scene, `-` for standard input
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Write JSON (crossfibre-plan/1) instead of text
+    #[arg(long)]
+    json: bool,
+    /// Write to FILE, `-` for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(args: &Args) -> Result<Exit> {
+    let destination = Destination::of(args.output.as_deref())?;
+    let plan = Plan::of(&scene::read(&args.scene)?);
+    let mut out = destination.open()?;
+    if args.json {
+        serde_json::to_writer_pretty(&mut out, &plan).map_err(io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        write!(out, "{}", Table(&plan))?;
+    }
+    out.finish()?;
+    Ok(Exit::Well)
+}
+
+/// A plan for people.
+struct Table<'a>(&'a Plan);
+
+impl Display for Table<'_> {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let plan = self.0;
+        writeln!(to, "{}\n", plan.title)?;
+        writeln!(
+            to,
+            "fibre       elements      Δx, mm      c, m/s   Courant α   node mass, mg   dimensions"
+        )?;
+        for f in &plan.fibres {
+            writeln!(
+                to,
+                "{:<10} {:>9}   {:>9.4}   {:>9.2}   {:>9.4}   {:>13.4}   {:>10}",
+                f.fibre.name(),
+                f.elements,
+                f.spacing * 1e3,
+                f.wave_speed,
+                f.courant,
+                f.node_mass * 1e6,
+                f.dimensions,
+            )?;
+        }
+        writeln!(to)?;
+        writeln!(
+            to,
+            "time         {} steps of {:.6} µs reach {:.4} µs",
+            plan.steps,
+            plan.time_step * 1e6,
+            plan.time * 1e6
+        )?;
+        match plan.crossover_node {
+            Some(node) => writeln!(to, "crossover    node {node} of the primary fibre")?,
+            None => writeln!(to, "crossover    none")?,
+        }
+        writeln!(to, "corrections  {}", corrections(&plan.corrections))?;
+        writeln!(
+            to,
+            "work         at most {:.4e} element-steps, {:.1} kB of memory",
+            plan.element_steps,
+            plan.memory / 1e3
+        )?;
+        if plan.fibres.iter().any(|f| f.courant > 1.0) {
+            writeln!(to, "beware       a Courant number above 1: the scheme is unstable")?;
+        }
+        writeln!(to, "\nequation                                     runs")?;
+        for e in &plan.equations {
+            let name = equation(e.equation).map_or("", |known| known.name);
+            let runs = if e.runs { "yes" } else { "no" };
+            writeln!(to, "{:>4} {name:<38}  {runs:<3}  {}", format!("({})", e.equation), e.why)?;
+        }
+        Ok(())
+    }
+}
+
+fn corrections(chosen: &[&str]) -> String {
+    if chosen.is_empty() {
+        "none: the page as printed".into()
+    } else if chosen.len() == LEDGER.len() {
+        "all".into()
+    } else {
+        chosen.join(", ")
+    }
+}

@@ -1,0 +1,51 @@
+//! `crossfibre schema`: the JSON Schema of a file format, from the types that read or write it.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::ValueEnum;
+use crossfibre::plan::Plan;
+use crossfibre::result::RunResult;
+use crossfibre::scene::Scene;
+use schemars::schema_for;
+
+use crate::exit::Exit;
+use crate::output::Destination;
+use crate::trace_line::TraceLine;
+
+/// Arguments.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Which format
+    format: Format,
+    /// Write to FILE, `-` for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// What `run`, `trace` and `plan` read: crossfibre-scene/1
+    Scene,
+    /// What `run --json` writes: crossfibre-result/1
+    Result,
+    /// A line of what `trace` writes: crossfibre-trace/1
+    Trace,
+    /// What `plan --json` writes: crossfibre-plan/1
+    Plan,
+}
+
+pub fn run(args: &Args) -> Result<Exit> {
+    let schema = match args.format {
+        Format::Scene => schema_for!(Scene),
+        Format::Result => schema_for!(RunResult),
+        Format::Trace => schema_for!(TraceLine),
+        Format::Plan => schema_for!(Plan),
+    };
+    let mut out = Destination::of(args.output.as_deref())?.open()?;
+    serde_json::to_writer_pretty(&mut out, &schema).map_err(std::io::Error::from)?;
+    writeln!(out)?;
+    out.finish()?;
+    Ok(Exit::Well)
+}

@@ -1,0 +1,4 @@
+//! Reports: pure functions of a [`crate::record::Record`].
+
+pub mod junit;
+pub mod markdown;

@@ -1,0 +1,148 @@
+//! A line of a trace as a type: what a reader of `crossfibre-trace/1` may rely on, and the source of
+//! its JSON Schema.
+//!
+//! The library writes these lines without this type; that the two agree is tested.
+
+use std::collections::BTreeMap;
+
+use crossfibre::place::Fibre;
+use crossfibre::scene::Scene;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// A line of a trace.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum TraceLine {
+    /// Any line but the first.
+    Event(Event),
+    /// The first line.
+    Header(Box<Header>),
+}
+
+/// The first line: what the events are evaluations of.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// `crossfibre-trace/1`.
+    pub format: String,
+    /// The scene that is traced.
+    pub scene: Scene,
+    /// The equations (1)–(20), in order.
+    pub equations: Vec<Registered>,
+    /// Every symbol that an event or a line of an equation uses.
+    pub symbols: Vec<Symbol>,
+}
+
+/// An equation as the traced edition works it out.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Registered {
+    /// Its number on the page.
+    pub number: u8,
+    /// What it is.
+    pub name: String,
+    /// How it is printed.
+    pub printed: String,
+    /// How it is worked out; the last lines give the output.
+    pub lines: Vec<Line>,
+}
+
+/// One line of an equation: `name = expression`.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// What the line gives.
+    pub name: String,
+    /// How, with symbols in braces. With vectors it holds for each component; `|{d}|` is the length
+    /// of the vector `d`.
+    pub expression: String,
+}
+
+/// A quantity that enters or leaves an equation.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Symbol {
+    /// Its name in events and lines.
+    pub name: String,
+    /// What it is.
+    pub meaning: String,
+    /// Its SI unit; `1` for a pure number.
+    pub unit: String,
+}
+
+/// One evaluation of one equation.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Event {
+    /// The time step, from 1.
+    pub step: u64,
+    /// The fibre.
+    pub fibre: Fibre,
+    /// Node, or element for (4)–(7); from 0.
+    pub index: usize,
+    /// The number of the equation on the page, as a name.
+    #[schemars(regex(pattern = r"^([1-9]|1\d|20)$"))]
+    pub eq: String,
+    /// What went in, by symbol.
+    #[serde(rename = "in")]
+    pub inputs: BTreeMap<String, Value>,
+    /// What came out.
+    pub out: Value,
+}
+
+/// A number, or the components of a vector in the order x, y, z.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Value {
+    /// One number.
+    Scalar(Number),
+    /// A vector.
+    Vector(Vec<Number>),
+}
+
+/// A number, or the name of what JSON has no number for.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Number {
+    /// The shortest decimal that reads back to the same bits.
+    Finite(f64),
+    /// Not a finite number.
+    Other(NotFinite),
+}
+
+/// What is not a finite number.
+#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+pub enum NotFinite {
+    /// Infinity.
+    #[serde(rename = "inf")]
+    Infinity,
+    /// Negative infinity.
+    #[serde(rename = "-inf")]
+    NegativeInfinity,
+    /// Not a number.
+    #[serde(rename = "NaN")]
+    NotANumber,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_event_with_something_more_or_something_less_is_none() {
+        let good = r#"{"step":7,"fibre":"primary","index":3,"eq":"4","in":{"v":[0.3,"-inf"]},"out":"NaN"}"#;
+        let event: Event = serde_json::from_str(good).unwrap();
+        let v = [Number::Finite(0.3), Number::Other(NotFinite::NegativeInfinity)];
+        assert_eq!(event.inputs["v"], Value::Vector(v.into()));
+        assert_eq!(event.out, Value::Scalar(Number::Other(NotFinite::NotANumber)));
+        for bad in [
+            good.replace("\"step\":7,", ""),
+            good.replace("\"step\"", "\"extra\":1,\"step\""),
+            good.replace("NaN", "nan"),
+            good.replace("primary", "third"),
+        ] {
+            assert!(serde_json::from_str::<TraceLine>(&bad).is_err(), "{bad}");
+        }
+    }
+}
