@@ -162,7 +162,8 @@ ledger! {
         equations: &[9, 12, 13],
         printed: "α_s multiplies v_para, the velocity of the primary's node over ground",
         trouble: "at α_s < 1 the answer changes when the experiment moves along: slip should be a \
-                  velocity between the fibres",
+                  velocity between the fibres; and (1 - α_s) T2_para is taken from one fibre and not \
+                  given to the other",
         used: "unchanged; measured and reported",
     };
     EnergyClaim = Entry {

@@ -37,6 +37,7 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
     let drive = state.projectile.axis * state.projectile.velocity;
     state.work.count(&state.primary);
 
+    let mut crossover_stays = Ok(());
     match &mut state.crossover {
         None => {
             along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
@@ -70,12 +71,12 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
             if let Some(crossover) = &mut state.crossover {
                 let drive = crossover.drive(paper, step, &state.primary);
                 along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, |_, _| ())?;
-                crossover.reassign_node(step, &state.primary)?;
+                crossover_stays = crossover.reassign_node(step, &state.primary);
             }
         }
     }
     state.account_for_work(force_before);
-    Ok(())
+    crossover_stays
 }
 
 /// What the length loop of one fibre needs to know besides the fibre.
@@ -316,18 +317,21 @@ impl<S: Number> Crossover<S> {
         )
     }
 
-    /// "After each time increment, … ix is assigned to the nearest node on the primary fibre."
+    /// "After each time increment, … ix is assigned to the nearest node on the primary fibre." An end
+    /// of the fibre is no place for a crossover: the run ends, and `ix` stays where it was.
     fn reassign_node(&mut self, step: u64, primary: &FibreState<S, 2>) -> Result<(), Outcome> {
         let nearest = self.nearest_node(primary);
+        let left = |end| Err(Outcome::CrossoverLeft { step, end });
+        match nearest {
+            0 => return left(End::ImpactPoint),
+            n if n == primary.elements() => return left(End::Clamp),
+            _ => {}
+        }
         if nearest != self.node {
             self.node = nearest;
             self.moves += 1;
         }
-        match nearest {
-            0 => Err(Outcome::CrossoverLeft { step, end: End::ImpactPoint }),
-            n if n == primary.elements() => Err(Outcome::CrossoverLeft { step, end: End::Clamp }),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 }
 

@@ -33,8 +33,10 @@ pub enum Outcome {
     EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
-        /// Residual of the balance over the energy put in, without its sign.
-        residual: f64,
+        /// Residual of the balance over the energy put in, without its sign; none where the sum is
+        /// not finite.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        residual: Option<f64>,
     },
 }
 
@@ -77,11 +79,14 @@ impl fmt::Display for Outcome {
                     Fibre::Primary.name()
                 )
             }
-            Self::EnergyUnbalanced { step, residual } => write!(
+            Self::EnergyUnbalanced { step, residual: Some(residual) } => write!(
                 f,
                 "unstable: at step {step} the energy balance is off by {residual:.1e} times the \
                  energy put in"
             ),
+            Self::EnergyUnbalanced { step, residual: None } => {
+                write!(f, "unstable: at step {step} the energy is beyond all numbers")
+            }
         }
     }
 }

@@ -196,9 +196,9 @@ impl RunResult {
     ) -> Self {
         let balance = Some(state.balance(paper, scene.strain)).filter(Balance::is_finite);
         let residual =
-            balance.map_or(f64::MAX, |b| b.energy.relative_residual().abs().min(f64::MAX));
+            balance.map(|b| b.energy.relative_residual().abs()).filter(|r| r.is_finite());
         let outcome = match outcome {
-            Outcome::Completed if residual > MOST_IMBALANCE => {
+            Outcome::Completed if residual.is_none_or(|r| r > MOST_IMBALANCE) => {
                 Outcome::EnergyUnbalanced { step: state.step, residual }
             }
             other => other,

@@ -235,18 +235,19 @@ impl<S: Number> State<S> {
 impl<S: Number> Crossover<S> {
     /// The node of the primary nearest to the secondary's first node; the lowest of equals.
     ///
-    /// Walks from `ix` to ever nearer neighbours, so that a step does not cost a search of the
-    /// whole fibre: on a fibre that is not folded onto itself the nearest neighbour is the nearest.
+    /// Searched among the nodes that have moved and the next: before the front reaches `ix` neither
+    /// fibre has moved there, and afterwards the nearest node is not ahead of the front.
     pub fn nearest_node(&self, primary: &FibreState<S, 2>) -> usize {
-        let distance = |node| self.distance_to(primary, node);
-        let mut node = self.node;
-        while node > 0 && distance(node - 1) <= distance(node) {
-            node -= 1;
+        if primary.visited < self.node {
+            return self.node;
         }
-        while node < primary.elements() && distance(node + 1) < distance(node) {
-            node += 1;
-        }
-        node
+        let candidates = 0..=(primary.visited + 1).min(primary.elements());
+        let first = (0, self.distance_to(primary, 0));
+        let nearer = |nearest: (usize, S), node| {
+            let distance = self.distance_to(primary, node);
+            if distance < nearest.1 { (node, distance) } else { nearest }
+        };
+        candidates.skip(1).fold(first, nearer).0
     }
 
     /// Distance of the secondary's first node from a node of the primary, m.
