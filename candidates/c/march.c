@@ -1,7 +1,7 @@
 /* The single-fibre march, eqns (1)-(7) of the paper, in plain C written for speed.
  *
  * Transverse impact of one clamped fibre in the x-y plane: linear law, incremental strain (4),
- * projectile of constant velocity. Structure of arrays, so that the compiler can vectorise both
+ * projectile of constant velocity. Structure of arrays, so that the compiler can vectorise the
  * loops. Every operation is the paper's, rounded once and in the paper's order: the result equals
  * that of the reference to the bit. README.md has the command line and the compiler's flags.
  */
@@ -13,14 +13,15 @@
 #include <string.h>
 #include <time.h>
 
-/* Elements that are carried through both loops before the next ones: they stay in the first-level
+/* Elements that are carried through all loops before the next ones: they stay in the first-level
  * cache between the loops (256 elements * 8 arrays * 8 bytes = 16 KiB). */
 enum { BLOCK = 256 };
 
 typedef struct {
     double length, density, area, modulus, velocity, courant; /* m, kg/m3, m2, Pa, m/s, 1 */
     size_t elements, steps;
-    int all; /* visit every element, also those ahead of the wavefront */
+    int all;         /* visit every element, also those ahead of the wavefront */
+    int keep_length; /* take (6) of the step before for (5) */
 } Scene;
 
 typedef struct {
@@ -28,28 +29,55 @@ typedef struct {
     double spacing, time_step, a, stiffness;    /* dx, dt, A = dt/dm, modulus*area */
     double *x, *y, *vx, *vy;                    /* at nodes, 0..elements */
     double *tension_x, *tension_y, *strain;     /* of the element from node e to e+1 */
-    double *length;                             /* of the element at the last step: L^(t-1) */
+    double *length;                             /* of the element a step ago, if it is kept */
 } Fibre;
 
-/* Nodes 1..count of a block: old tensions to velocities to positions. Pointers are to node 1 of the
- * block, tensions to its element 0. */
-static void move_nodes(size_t count, double a, double dt, double *restrict x, double *restrict y,
-                       double *restrict vx, double *restrict vy, const double *restrict tx,
-                       const double *restrict ty)
+/* (2) for nodes 1..count of a block: pointers are to node 1 of the block, tensions to element 0. */
+static void velocities(size_t count, double a, double *restrict vx, double *restrict vy,
+                       const double *restrict tx, const double *restrict ty)
 {
     for (size_t e = 0; e < count; e++) {
         vx[e] = vx[e] + (tx[e + 1] - tx[e]) * a;                                        /* (2) */
         vy[e] = vy[e] + (ty[e + 1] - ty[e]) * a;
-        x[e] = x[e] + vx[e] * dt;                                            /* brackets of (6) */
-        y[e] = y[e] + vy[e] * dt;
     }
 }
 
-/* Elements of a block: new positions to lengths, strains and tensions. The length that (5) asks for
- * is, bit for bit, the one that (6) gave a step ago, and is kept instead of computed again. */
-static void strain_elements(size_t count, double stiffness, const double *restrict x,
-                            const double *restrict y, double *restrict length,
-                            double *restrict strain, double *restrict tx, double *restrict ty)
+/* Positions of `count` nodes. */
+static void move(size_t count, double dt, double *restrict x, double *restrict y,
+                 const double *restrict vx, const double *restrict vy)
+{
+    for (size_t i = 0; i < count; i++) {
+        x[i] = x[i] + vx[i] * dt;
+        y[i] = y[i] + vy[i] * dt;
+    }
+}
+
+/* Elements of a block, the literal form: (5) from the stored positions of t-1, (6) from them and
+ * the velocities of t. The positions are moved afterwards. */
+static void elements_literal(size_t count, double dt, double stiffness, const double *restrict x,
+                             const double *restrict y, const double *restrict vx,
+                             const double *restrict vy, double *restrict strain,
+                             double *restrict tx, double *restrict ty)
+{
+    for (size_t e = 0; e < count; e++) {
+        double old_dx = x[e + 1] - x[e];
+        double old_dy = y[e + 1] - y[e];
+        double previous = sqrt(old_dx * old_dx + old_dy * old_dy);                      /* (5) */
+        double dx = (x[e + 1] + vx[e + 1] * dt) - (x[e] + vx[e] * dt);
+        double dy = (y[e + 1] + vy[e + 1] * dt) - (y[e] + vy[e] * dt);
+        double now = sqrt(dx * dx + dy * dy);                                           /* (6) */
+        strain[e] = (strain[e] + now / previous) - 1.0;                                 /* (4) */
+        double tension = stiffness * strain[e];                                         /* (7) */
+        tx[e] = dx * (tension / now); /* as a vector along the element */
+        ty[e] = dy * (tension / now);
+    }
+}
+
+/* The same with --keep-length, nodes moved beforehand: the length that (5) asks for is, bit for bit,
+ * the one that (6) gave a step ago. */
+static void elements_keeping(size_t count, double stiffness, const double *restrict x,
+                             const double *restrict y, double *restrict length,
+                             double *restrict strain, double *restrict tx, double *restrict ty)
 {
     for (size_t e = 0; e < count; e++) {
         double dx = x[e + 1] - x[e];
@@ -58,7 +86,7 @@ static void strain_elements(size_t count, double stiffness, const double *restri
         double now = sqrt(dx * dx + dy * dy);                                           /* (6) */
         strain[e] = (strain[e] + now / previous) - 1.0;                                 /* (4) */
         double tension = stiffness * strain[e];                                         /* (7) */
-        tx[e] = dx * (tension / now); /* as a vector along the element */
+        tx[e] = dx * (tension / now);
         ty[e] = dy * (tension / now);
         length[e] = now;
     }
@@ -66,20 +94,28 @@ static void strain_elements(size_t count, double stiffness, const double *restri
 
 /* One time step over the first `window` elements. Block after block outward: a block's (2) needs
  * only tensions of its own elements and of the next one, none of which has been advanced yet. */
-static void step(Fibre *f, size_t window, double projectile)
+static void step(Fibre *f, size_t window, const Scene *scene)
 {
+    double dt = f->time_step;
     f->vx[0] = 0.0;
-    f->vy[0] = projectile;
-    f->x[0] = f->x[0] + f->vx[0] * f->time_step;
-    f->y[0] = f->y[0] + f->vy[0] * f->time_step;
+    f->vy[0] = scene->velocity;
+    if (scene->keep_length) move(1, dt, f->x, f->y, f->vx, f->vy);
     for (size_t first = 0; first < window; first += BLOCK) {
         size_t count = window - first < BLOCK ? window - first : BLOCK;
-        size_t clamp = first + count == f->elements; /* the last node never moves */
-        move_nodes(count - clamp, f->a, f->time_step, f->x + first + 1, f->y + first + 1,
-                   f->vx + first + 1, f->vy + first + 1, f->tension_x + first,
-                   f->tension_y + first);
-        strain_elements(count, f->stiffness, f->x + first, f->y + first, f->length + first,
-                        f->strain + first, f->tension_x + first, f->tension_y + first);
+        size_t free = count - (first + count == f->elements); /* the clamped node never moves */
+        double *x = f->x + first, *y = f->y + first, *vx = f->vx + first, *vy = f->vy + first;
+        double *tx = f->tension_x + first, *ty = f->tension_y + first, *strain = f->strain + first;
+        velocities(free, f->a, vx + 1, vy + 1, tx, ty);
+        if (scene->keep_length) {
+            move(free, dt, x + 1, y + 1, vx + 1, vy + 1);
+            elements_keeping(count, f->stiffness, x, y, f->length + first, strain, tx, ty);
+        } else {
+            elements_literal(count, dt, f->stiffness, x, y, vx, vy, strain, tx, ty);
+            move(count, dt, x, y, vx, vy);
+        }
+    }
+    if (!scene->keep_length) {
+        move(1, dt, f->x + window, f->y + window, f->vx + window, f->vy + window);
     }
 }
 
@@ -89,7 +125,7 @@ static uint64_t march(Fibre *f, const Scene *scene)
     uint64_t visited = 0;
     size_t window = scene->all ? f->elements : 1;
     for (size_t t = 0; t < scene->steps; t++) {
-        step(f, window, scene->velocity);
+        step(f, window, scene);
         visited += window;
         double last = f->stiffness * f->strain[window - 1];
         if (window < f->elements && last != 0.0) {
@@ -170,13 +206,14 @@ int main(int argc, char **argv)
         while (k < known && strcmp(argv[i], flags[k].name)) k++;
         if (k < known && i + 1 < argc) *flags[k].value = strtod(argv[++i], &end);
         else if (!strcmp(argv[i], "--all")) s.all = 1;
+        else if (!strcmp(argv[i], "--keep-length")) s.keep_length = 1;
         else end = "?";
         if (*end) return fprintf(stderr, "march: do not understand %s\n", argv[i]), 1;
     }
     if (!(s.length > 0 && elements >= 2 && s.density > 0 && s.area > 0 && s.modulus > 0
           && s.courant > 0 && steps >= 1 && repeat >= 1)) {
         fputs("usage: march --length M --elements N --density KG/M3 --area M2 --modulus PA"
-              " --velocity M/S --courant A --steps N [--all] [--repeat K]\n", stderr);
+              " --velocity M/S --courant A --steps N [--all] [--keep-length] [--repeat K]\n", stderr);
         return 1;
     }
     s.elements = (size_t)elements;
