@@ -29,17 +29,11 @@ pub(crate) fn members(object: &str) -> Vec<Member<'_>> {
 pub(crate) fn value<'a>(text: &'a str, path: &str) -> Option<&'a str> {
     let mut here = serde_json::from_str::<&RawValue>(text).ok()?.get();
     for step in path.split(['.', '[']).filter(|step| !step.is_empty()) {
-        let next = match step
-            .strip_suffix(']')
-            .and_then(|index| index.parse::<usize>().ok())
-        {
+        let next = match step.strip_suffix(']').and_then(|index| index.parse::<usize>().ok()) {
             Some(index) => serde_json::from_str::<Vec<&RawValue>>(here)
                 .ok()
                 .and_then(|elements| elements.get(index).map(|element| element.get())),
-            None => members(here)
-                .iter()
-                .rfind(|m| m.name == step)
-                .map(|m| m.value),
+            None => members(here).iter().rfind(|m| m.name == step).map(|m| m.value),
         };
         match next {
             Some(value) => here = value,
@@ -53,10 +47,7 @@ pub(crate) fn value<'a>(text: &'a str, path: &str) -> Option<&'a str> {
 pub(crate) fn line_and_column(text: &str, piece: &str) -> (usize, usize) {
     let before = &text[..piece.as_ptr().addr() - text.as_ptr().addr()];
     let line_start = before.rfind('\n').map_or(0, |end| end + 1);
-    (
-        before.matches('\n').count() + 1,
-        before[line_start..].chars().count() + 1,
-    )
+    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
 struct Members<'a>(Vec<Member<'a>>);
@@ -80,11 +71,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
         let mut members = Vec::new();
         while let Some((key, value)) = map.next_entry::<&RawValue, &RawValue>()? {
             let name = serde_json::from_str(key.get()).map_err(serde::de::Error::custom)?;
-            members.push(Member {
-                name,
-                key: key.get(),
-                value: value.get(),
-            });
+            members.push(Member { name, key: key.get(), value: value.get() });
         }
         Ok(Members(members))
     }
@@ -111,10 +98,7 @@ mod tests {
     fn of_repeated_members_the_last_is_found_and_all_are_listed() {
         assert_eq!(place("µ[1].ab"), ("31", (2, 25)));
         let inner = members(place("µ[1]").0);
-        assert_eq!(
-            inner.iter().map(|m| m.key).collect::<Vec<_>>(),
-            ["\"a\\u0062\"", "\"ab\""]
-        );
+        assert_eq!(inner.iter().map(|m| m.key).collect::<Vec<_>>(), ["\"a\\u0062\"", "\"ab\""]);
         assert!(inner.iter().all(|m| m.name == "ab"));
     }
 

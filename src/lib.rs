@@ -17,9 +17,10 @@
 //! let scene = crossfibre::scene_file::read(text)?;
 //! let result = crossfibre::result::run(&scene, |_state| {});
 //! assert!(result.outcome.is_completed());
-//! // Between the kink and the front the strain is Smith's for eqns (4) and (7), 1.443 %.
-//! let plateau = result.primary.strain[50];
-//! assert!((plateau - 0.01443).abs() < 1e-4);
+//! // Between the kink and the front the strain is Smith's for eqns (4) and (7), 1.443 %; single
+//! // elements oscillate around it by a per cent of that.
+//! let plateau = result.primary.strain[30..50].iter().sum::<f64>() / 20.0;
+//! assert!((plateau - 0.01443).abs() < 2e-5);
 //! # Ok::<(), crossfibre::scene_file::Fault>(())
 //! ```
 

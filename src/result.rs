@@ -213,9 +213,7 @@ impl RunResult {
             secondary: state.crossover.as_ref().map(|c| FibreResult::of(&c.fibre)),
             projectile: ProjectileResult {
                 velocity: state.projectile.velocity.to_f64(),
-                position: state.primary.position[0]
-                    .dot(&state.projectile.axis)
-                    .to_f64(),
+                position: state.primary.position[0].dot(&state.projectile.axis).to_f64(),
             },
             crossover: state.crossover.as_ref().map(|c| CrossoverResult {
                 node: c.node,
@@ -232,16 +230,8 @@ impl FibreResult {
     fn of<S: Number, const D: usize>(fibre: &FibreState<S, D>) -> Self {
         let numbers = |v: &[S]| v.iter().map(|x| x.to_f64()).collect::<Vec<_>>();
         Self {
-            position: fibre
-                .position
-                .iter()
-                .map(|v| numbers(v.as_slice()))
-                .collect(),
-            velocity: fibre
-                .velocity
-                .iter()
-                .map(|v| numbers(v.as_slice()))
-                .collect(),
+            position: fibre.position.iter().map(|v| numbers(v.as_slice())).collect(),
+            velocity: fibre.velocity.iter().map(|v| numbers(v.as_slice())).collect(),
             strain: numbers(&fibre.strain),
             tension: numbers(&fibre.tension),
         }
@@ -254,12 +244,7 @@ impl Counts {
     fn of(strain: Strain, work: &Work) -> Self {
         let mut equations = BTreeMap::new();
         let mut count = |numbers: &[u8], times: u64| {
-            equations.extend(
-                numbers
-                    .iter()
-                    .map(|&n| (n, times))
-                    .filter(|&(_, times)| times > 0),
-            );
+            equations.extend(numbers.iter().map(|&n| (n, times)).filter(|&(_, times)| times > 0));
         };
         count(&[2], work.elements - work.clamped);
         count(&[4, 6, 7], work.elements);
@@ -270,9 +255,6 @@ impl Counts {
         count(&[9, 10, 11, 12, 13], work.drives);
         count(&[14], work.secondary);
         count(&[15, 16, 17, 18], work.pushes);
-        Self {
-            element_steps: work.elements,
-            equations,
-        }
+        Self { element_steps: work.elements, equations }
     }
 }

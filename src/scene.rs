@@ -27,11 +27,7 @@ pub struct Scene {
     /// The struck fibre, from the impact point to its clamp.
     pub primary: Primary,
     /// The crossing fibre; leave it out for a single fibre.
-    #[serde(
-        default,
-        deserialize_with = "present",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "Secondary"))]
     pub secondary: Option<Secondary>,
     /// What strikes.
@@ -116,11 +112,7 @@ pub struct Projectile {
     /// Velocity at impact, m/s.
     pub velocity: f64,
     /// Mass, kg; leave it out for a velocity that stays constant.
-    #[serde(
-        default,
-        deserialize_with = "present",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub mass: Option<f64>,
 }
@@ -207,10 +199,8 @@ mod corrections {
         fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
             let id = String::deserialize(from)?;
             Erratum::from_id(&id).map(Self).ok_or_else(|| {
-                let known: Vec<_> = Erratum::ALL
-                    .iter()
-                    .map(|e| format!("`{}`", e.entry().id))
-                    .collect();
+                let known: Vec<_> =
+                    Erratum::ALL.iter().map(|e| format!("`{}`", e.entry().id)).collect();
                 D::Error::custom(format!(
                     "unknown correction `{id}`, expected one of {}",
                     known.join(", ")

@@ -25,27 +25,18 @@ pub struct Problem {
 
 impl Problem {
     fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
-        Self {
-            path: path.into(),
-            message: message.into(),
-            help: None,
-        }
+        Self { path: path.into(), message: message.into(), help: None }
     }
 
     fn help(self, help: impl Into<String>) -> Self {
-        Self {
-            help: Some(help.into()),
-            ..self
-        }
+        Self { help: Some(help.into()), ..self }
     }
 }
 
 impl fmt::Display for Problem {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         write!(to, "{}: {}", self.path, self.message)?;
-        self.help
-            .iter()
-            .try_for_each(|help| write!(to, "\n  help: {help}"))
+        self.help.iter().try_for_each(|help| write!(to, "\n  help: {help}"))
     }
 }
 
@@ -57,23 +48,10 @@ impl Scene {
     /// A Courant number above 1 passes: that such a run diverges is worth showing.
     pub fn check(&self) -> Result<(), Problem> {
         check_format(&self.format)?;
-        let Primary {
-            length,
-            elements,
-            density,
-            area,
-            ref material,
-        } = self.primary;
+        let Primary { length, elements, density, area, ref material } = self.primary;
         check_fibre("primary", length, elements, density, area, material)?;
         if let Some(secondary) = &self.secondary {
-            let Secondary {
-                length,
-                elements,
-                density,
-                area,
-                ref material,
-                ..
-            } = *secondary;
+            let Secondary { length, elements, density, area, ref material, .. } = *secondary;
             check_fibre("secondary", length, elements, density, area, material)?;
             check_slide_factor(secondary.slide_factor)?;
         }
@@ -87,11 +65,7 @@ impl Scene {
             check_properties("secondary", &crossing.fibre)?;
             self.check_crossover(&mesh.primary, crossing)?;
         }
-        in_range(
-            "courant",
-            "the time step Δt = courant × Δx/c",
-            mesh.time_step,
-        )?;
+        in_range("courant", "the time step Δt = courant × Δx/c", mesh.time_step)?;
         in_range("primary", "A = Δt/Δm", mesh.primary.a)?;
         if let Some(crossing) = &mesh.secondary {
             in_range("secondary", "A = Δt/Δm", crossing.fibre.a)?;
@@ -125,18 +99,14 @@ impl Scene {
                 path,
                 format!("the node nearest to {at:?} m is the clamp's, which cannot move"),
             )
-            .help(format!(
-                "nodes are {spacing:?} m apart: move the crossover inward, or refine"
-            )));
+            .help(format!("nodes are {spacing:?} m apart: move the crossover inward, or refine")));
         }
         if node == 0 && at != 0.0 {
             return Err(Problem::new(
                 path,
                 format!("the node nearest to {at:?} m is the impact point, 0 m"),
             )
-            .help(format!(
-                "say 0 for that node, or {spacing:?} for the one after it"
-            )));
+            .help(format!("say 0 for that node, or {spacing:?} for the one after it")));
         }
         if node == 0 && !self.corrections.has(Erratum::ThetaAtOrigin) {
             return Err(Problem::new(
@@ -203,10 +173,7 @@ fn check_fibre(
     let field = |name: &str| format!("{path}.{name}");
     positive(&field("length"), length)?;
     if elements < 2 {
-        return Err(Problem::new(
-            field("elements"),
-            format!("must be at least 2, is {elements}"),
-        ));
+        return Err(Problem::new(field("elements"), format!("must be at least 2, is {elements}")));
     }
     if elements > MAX_ELEMENTS {
         return Err(Problem::new(
@@ -232,16 +199,8 @@ fn check_slide_factor(slide_factor: f64) -> Result<(), Problem> {
 }
 
 fn check_properties(path: &str, fibre: &Properties<f64>) -> Result<(), Problem> {
-    in_range(
-        path,
-        "Δx², which (5) and (6) take the root of,",
-        fibre.spacing * fibre.spacing,
-    )?;
-    in_range(
-        path,
-        "the wave speed c = √(modulus/density)",
-        fibre.wave_speed,
-    )?;
+    in_range(path, "Δx², which (5) and (6) take the root of,", fibre.spacing * fibre.spacing)?;
+    in_range(path, "the wave speed c = √(modulus/density)", fibre.wave_speed)?;
     in_range(path, "the node mass Δm = density × area × Δx", fibre.mass)?;
     in_range(path, "the stiffness modulus × area", fibre.stiffness)
 }
@@ -251,20 +210,14 @@ pub(crate) fn check_format(format: &str) -> Result<(), Problem> {
     if format == FORMAT {
         return Ok(());
     }
-    Err(Problem::new(
-        "format",
-        format!("must be \"{FORMAT}\", is {format:?}"),
-    ))
+    Err(Problem::new("format", format!("must be \"{FORMAT}\", is {format:?}")))
 }
 
 fn finite(path: &str, value: f64) -> Result<(), Problem> {
     if value.is_finite() {
         return Ok(());
     }
-    Err(Problem::new(
-        path,
-        format!("must be a finite number, is {value:?}"),
-    ))
+    Err(Problem::new(path, format!("must be a finite number, is {value:?}")))
 }
 
 fn positive(path: &str, value: f64) -> Result<(), Problem> {
@@ -272,10 +225,7 @@ fn positive(path: &str, value: f64) -> Result<(), Problem> {
     if value > 0.0 {
         return Ok(());
     }
-    Err(Problem::new(
-        path,
-        format!("must be greater than 0, is {value:?}"),
-    ))
+    Err(Problem::new(path, format!("must be greater than 0, is {value:?}")))
 }
 
 /// A derived quantity that overflows or underflows would spoil the run without a trace.
@@ -283,9 +233,6 @@ fn in_range(path: &str, quantity: &str, value: f64) -> Result<(), Problem> {
     if value.is_normal() {
         return Ok(());
     }
-    Err(Problem::new(
-        path,
-        format!("{quantity} is {value:?}, outside the range of a double"),
-    )
-    .help("the values are too large or too small; are they in SI units?"))
+    Err(Problem::new(path, format!("{quantity} is {value:?}, outside the range of a double"))
+        .help("the values are too large or too small; are they in SI units?"))
 }

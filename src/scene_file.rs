@@ -31,18 +31,8 @@ impl Fault {
     /// A problem at a piece of the text.
     pub(crate) fn new(text: &str, piece: &str, problem: Problem) -> Self {
         let (line, column) = line_and_column(text, piece);
-        let Problem {
-            path,
-            message,
-            help,
-        } = problem;
-        Self {
-            path,
-            line,
-            column,
-            message,
-            help,
-        }
+        let Problem { path, message, help } = problem;
+        Self { path, line, column, message, help }
     }
 
     /// A problem at the value of its path.
@@ -59,9 +49,7 @@ impl fmt::Display for Fault {
             write!(to, "{}: ", self.path)?;
         }
         write!(to, "{}", self.message)?;
-        self.help
-            .iter()
-            .try_for_each(|help| write!(to, "\n  help: {help}"))
+        self.help.iter().try_for_each(|help| write!(to, "\n  help: {help}"))
     }
 }
 
@@ -81,10 +69,7 @@ pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Fault> {
         &good[offset..],
         Problem {
             path: String::new(),
-            message: format!(
-                "not UTF-8: the byte at offset {offset} is 0x{:02X}",
-                bytes[offset]
-            ),
+            message: format!("not UTF-8: the byte at offset {offset} is 0x{:02X}", bytes[offset]),
             help: utf_16.then(|| "this looks like UTF-16: save it as UTF-8".into()),
         },
     ))
@@ -100,9 +85,7 @@ pub fn read(text: &str) -> Result<Scene, Fault> {
     let json = &mut serde_json::Deserializer::from_str(text);
     let scene: Scene = serde_path_to_error::deserialize(json)
         .map_err(|error| misfit(text, &path_of(&error), error.inner()))?;
-    scene
-        .check()
-        .map_err(|problem| Fault::at_path(text, problem))?;
+    scene.check().map_err(|problem| Fault::at_path(text, problem))?;
     Ok(scene)
 }
 
@@ -110,15 +93,7 @@ pub fn read(text: &str) -> Result<Scene, Fault> {
 fn parse(text: &str) -> Result<Value, Fault> {
     let at_start = |message: &str, help: &str| {
         let (message, help) = (message.into(), Some(help.into()));
-        Err(Fault::new(
-            text,
-            text,
-            Problem {
-                path: String::new(),
-                message,
-                help,
-            },
-        ))
+        Err(Fault::new(text, text, Problem { path: String::new(), message, help }))
     };
     if text.trim().is_empty() {
         return at_start(
@@ -127,81 +102,49 @@ fn parse(text: &str) -> Result<Value, Fault> {
         );
     }
     if text.starts_with('\u{FEFF}') {
-        return at_start(
-            "the text begins with a byte order mark",
-            "save it as UTF-8 without one",
-        );
+        return at_start("the text begins with a byte order mark", "save it as UTF-8 without one");
     }
     let mut json = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut json)
         .map_err(|error| not_json(text, path_of(&error), error.inner()))?;
-    json.end()
-        .map_err(|error| not_json(text, String::new(), &error))?;
+    json.end().map_err(|error| not_json(text, String::new(), &error))?;
     Ok(value)
 }
 
 fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
     let (line, column) = position(text, error);
-    let fault = Fault {
-        path,
-        line,
-        column,
-        message: bare(error),
-        help: None,
-    };
+    let fault = Fault { path, line, column, message: bare(error), help: None };
     if error.is_eof() {
-        return Fault {
-            message: format!("the text ends too early: {}", fault.message),
-            ..fault
-        };
+        return Fault { message: format!("the text ends too early: {}", fault.message), ..fault };
     }
     if fault.message == "number out of range"
         && let Some(number) = value(text, &fault.path)
     {
         let (line, column) = line_and_column(text, number);
         let message = format!("{number} is too large for a double");
-        return Fault {
-            line,
-            column,
-            message,
-            ..fault
-        };
+        return Fault { line, column, message, ..fault };
     }
     let word = word_at(text, line, column);
     let name = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
     if ["nan", "inf", "infinity"].contains(&name.as_str()) {
         let (line, column) = line_and_column(text, word);
         let message = format!("{word} is not a number; JSON has neither NaN nor infinity");
-        return Fault {
-            line,
-            column,
-            message,
-            ..fault
-        };
+        return Fault { line, column, message, ..fault };
     }
     fault
 }
 
 /// Line and column (in characters) of an error whose column counts bytes.
 fn position(text: &str, error: &serde_json::Error) -> (usize, usize) {
-    let line = text
-        .split('\n')
-        .nth(error.line().saturating_sub(1))
-        .unwrap_or("");
-    let before = line
-        .char_indices()
-        .take_while(|(byte, _)| byte + 1 < error.column())
-        .count();
+    let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or("");
+    let before = line.char_indices().take_while(|(byte, _)| byte + 1 < error.column()).count();
     (error.line().max(1), before + 1)
 }
 
 /// The word of letters and signs that holds or follows the character at a line and column.
 fn word_at(text: &str, line: usize, column: usize) -> &str {
     let line = text.split('\n').nth(line - 1).unwrap_or("");
-    let byte = line
-        .char_indices()
-        .nth(column - 1)
-        .map_or(line.len(), |(byte, _)| byte);
+    let byte = line.char_indices().nth(column - 1).map_or(line.len(), |(byte, _)| byte);
     let in_word = |c: char| c.is_ascii_alphabetic() || c == '-' || c == '+';
     let start = line[..byte].trim_end_matches(in_word).len();
     let word = &line[start..];
@@ -210,25 +153,12 @@ fn word_at(text: &str, line: usize, column: usize) -> &str {
 
 /// serde takes an array as the fields of a struct in order: a scene names its fields.
 fn refuse_unnamed_fields(text: &str) -> Result<(), Fault> {
-    let objects = [
-        "",
-        "primary",
-        "primary.material",
-        "secondary",
-        "secondary.material",
-        "projectile",
-    ];
+    let objects =
+        ["", "primary", "primary.material", "secondary", "secondary.material", "projectile"];
     for path in objects {
         if value(text, path).is_some_and(|piece| piece.starts_with('[')) {
             let message = "invalid type: an array, expected an object".into();
-            return Err(Fault::at_path(
-                text,
-                Problem {
-                    path: path.into(),
-                    message,
-                    help: None,
-                },
-            ));
+            return Err(Fault::at_path(text, Problem { path: path.into(), message, help: None }));
         }
     }
     Ok(())
@@ -238,9 +168,7 @@ fn refuse_unnamed_fields(text: &str) -> Result<(), Fault> {
 pub(crate) fn bare(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let suffix = format!(" at line {} column {}", error.line(), error.column());
-    message
-        .strip_suffix(&suffix)
-        .map_or(message.clone(), String::from)
+    message.strip_suffix(&suffix).map_or(message.clone(), String::from)
 }
 
 fn path_of<E>(error: &serde_path_to_error::Error<E>) -> String {

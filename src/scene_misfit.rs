@@ -16,11 +16,7 @@ pub(crate) fn misfit(text: &str, path: &str, error: &serde_json::Error) -> Fault
             unknown(text, path, &message, name, known)
         }
         Some((name, _)) if message.starts_with("duplicate field") => {
-            let problem = Problem {
-                path: join(path, name),
-                message: message.clone(),
-                help: None,
-            };
+            let problem = Problem { path: join(path, name), message: message.clone(), help: None };
             Fault::new(text, key(text, path, name, 1).unwrap_or(text), problem)
         }
         _ => {
@@ -28,14 +24,7 @@ pub(crate) fn misfit(text: &str, path: &str, error: &serde_json::Error) -> Fault
             let help = message.contains("type: null").then(|| {
                 "leave out what is not given; some programs write a NaN as null".to_string()
             });
-            Fault::at_path(
-                text,
-                Problem {
-                    path,
-                    message: in_plain_words(message),
-                    help,
-                },
-            )
+            Fault::at_path(text, Problem { path, message: in_plain_words(message), help })
         }
     }
 }
@@ -49,46 +38,24 @@ fn unknown(text: &str, path: &str, message: &str, name: &str, known: &[&str]) ->
     };
     let help = Some(format!("known here: {}", known.join(", ")));
     if !message.starts_with("unknown field") {
-        return Fault::at_path(
-            text,
-            Problem {
-                path: path.into(),
-                message,
-                help,
-            },
-        );
+        return Fault::at_path(text, Problem { path: path.into(), message, help });
     }
     // Inside a material the path ends at the object, elsewhere at the unknown name.
-    let outer = path
-        .strip_suffix(name)
-        .unwrap_or(path)
-        .trim_end_matches('.');
+    let outer = path.strip_suffix(name).unwrap_or(path).trim_end_matches('.');
     let inside = path.ends_with(".material") && key(text, path, name, 0).is_some();
     let object = if inside { path } else { outer };
-    let problem = Problem {
-        path: join(object, name),
-        message,
-        help,
-    };
+    let problem = Problem { path: join(object, name), message, help };
     Fault::new(text, key(text, object, name, 0).unwrap_or(text), problem)
 }
 
 /// The n-th (from 0) of the keys of this name in the object at a path.
 fn key<'a>(text: &'a str, path: &str, name: &str, nth: usize) -> Option<&'a str> {
     let object = members(value(text, path)?);
-    object
-        .iter()
-        .filter(|member| member.name == name)
-        .nth(nth)
-        .map(|member| member.key)
+    object.iter().filter(|member| member.name == name).nth(nth).map(|member| member.key)
 }
 
 fn join(path: &str, name: &str) -> String {
-    if path.is_empty() {
-        name.into()
-    } else {
-        format!("{path}.{name}")
-    }
+    if path.is_empty() { name.into() } else { format!("{path}.{name}") }
 }
 
 /// serde reads a material in one piece and names no field of it. A field of the wrong kind is the
@@ -117,10 +84,7 @@ fn in_plain_words(message: String) -> String {
     ]
     .iter()
     .fold(message, |message, (from, to)| message.replace(from, to));
-    match message
-        .split_once("expected struct")
-        .or(message.split_once("expected internally"))
-    {
+    match message.split_once("expected struct").or(message.split_once("expected internally")) {
         Some((head, _)) => format!("{head}expected an object"),
         None => message,
     }
@@ -128,10 +92,7 @@ fn in_plain_words(message: String) -> String {
 
 /// The known name that differs by the fewest edits, if that is at most a third of its letters.
 fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
-    let (edits, best) = known
-        .iter()
-        .map(|known| (edits(name, known), *known))
-        .min()?;
+    let (edits, best) = known.iter().map(|known| (edits(name, known), *known)).min()?;
     (edits <= best.chars().count().div_ceil(3)).then_some(best)
 }
 

@@ -27,13 +27,7 @@ const GOOD: &str = r#"{
 "#;
 
 /// What is replaced in the good scene, by what; then path, line and column, part of the message.
-type Case = (
-    &'static str,
-    &'static str,
-    &'static str,
-    (usize, usize),
-    &'static str,
-);
+type Case = (&'static str, &'static str, &'static str, (usize, usize), &'static str);
 
 #[rustfmt::skip] // a case a line
 const NOT_JSON: &[Case] = &[
@@ -126,9 +120,7 @@ const NOT_TO_BE_RUN: &[Case] = &[
 fn the_good_scene_is_good() {
     let scene = read(GOOD).unwrap();
     assert_eq!(scene.secondary.unwrap().elements, 97);
-    let chosen: Corrections = [Erratum::TimeLevel, Erratum::CrossoverInertia]
-        .into_iter()
-        .collect();
+    let chosen: Corrections = [Erratum::TimeLevel, Erratum::CrossoverInertia].into_iter().collect();
     assert_eq!(scene.corrections, chosen);
     // Just over half a time step is one step: see the case of 1.18e-7 s above.
     assert!(read(&GOOD.replace("31.3e-6", "1.20e-7")).is_ok());
@@ -176,13 +168,8 @@ fn a_crossover_near_the_impact_point_is_told_its_two_possible_values() {
     // Δx = 0.287/139 = 0.002 064 7…; 0.001 lies below half of it.
     let fault = read(&GOOD.replace("0.0773", "0.001")).unwrap_err();
     let help = fault.help.unwrap();
-    assert!(
-        help.starts_with("say 0 for that node, or 0.0020647482"),
-        "{help}"
-    );
-    let at_origin = GOOD
-        .replace("0.0773", "0")
-        .replace("time-level", "theta-at-origin");
+    assert!(help.starts_with("say 0 for that node, or 0.0020647482"), "{help}");
+    let at_origin = GOOD.replace("0.0773", "0").replace("time-level", "theta-at-origin");
     assert!(read(&at_origin).is_ok());
 }
 
@@ -195,10 +182,7 @@ fn bytes_that_are_not_utf_8_are_refused_where_they_stand() {
     assert_eq!((fault.line, fault.column), (3, 13), "{fault}");
     assert_eq!(fault.message, "not UTF-8: the byte at offset 48 is 0xB5");
 
-    let utf_16: Vec<u8> = "\u{FEFF}{}"
-        .encode_utf16()
-        .flat_map(|unit| unit.to_le_bytes())
-        .collect();
+    let utf_16: Vec<u8> = "\u{FEFF}{}".encode_utf16().flat_map(|unit| unit.to_le_bytes()).collect();
     let fault = read_bytes(&utf_16).unwrap_err();
     assert_eq!((fault.line, fault.column), (1, 1));
     assert!(fault.help.unwrap().contains("UTF-16"));
@@ -221,9 +205,7 @@ fn numbers_that_no_text_can_hold_are_refused_all_the_same() {
         s.primary.material = Material::Linear { modulus: x };
     });
     refused_at("secondary.at", |s, x| s.secondary.as_mut().unwrap().at = x);
-    refused_at("secondary.slide_factor", |s, x| {
-        s.secondary.as_mut().unwrap().slide_factor = x
-    });
+    refused_at("secondary.slide_factor", |s, x| s.secondary.as_mut().unwrap().slide_factor = x);
     refused_at("projectile.velocity", |s, x| s.projectile.velocity = x);
     refused_at("projectile.mass", |s, x| s.projectile.mass = Some(x));
     refused_at("courant", |s, x| s.courant = x);

@@ -18,10 +18,7 @@ fn shipped() -> BTreeMap<String, Scene> {
             let path = entry.unwrap().path();
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
             let scene = read_bytes(&fs::read(&path).unwrap());
-            (
-                name.clone(),
-                scene.unwrap_or_else(|fault| panic!("{name}: {fault}")),
-            )
+            (name.clone(), scene.unwrap_or_else(|fault| panic!("{name}: {fault}")))
         })
         .collect()
 }
@@ -69,66 +66,27 @@ fn the_scenes_of_the_page_travel_as_far_as_the_page_says() {
 fn scenes_that_are_compared_differ_in_what_is_compared_alone() {
     let scenes = shipped();
     let same_but_title = |name: &str, expected: Scene| {
-        assert_eq!(
-            Scene {
-                title: String::new(),
-                ..scenes[name].clone()
-            },
-            expected,
-            "{name}"
-        );
+        assert_eq!(Scene { title: String::new(), ..scenes[name].clone() }, expected, "{name}");
     };
-    let untitled = |name: &str| Scene {
-        title: String::new(),
-        ..scenes[name].clone()
-    };
+    let untitled = |name: &str| Scene { title: String::new(), ..scenes[name].clone() };
 
-    same_but_title(
-        "fig3-printed",
-        Scene {
-            corrections: Corrections::NONE,
-            ..untitled("fig3")
-        },
-    );
-    same_but_title(
-        "single-400",
-        Scene {
-            secondary: None,
-            ..untitled("fig3")
-        },
-    );
-    same_but_title(
-        "single-400",
-        Scene {
-            secondary: None,
-            ..untitled("both-at-origin")
-        },
-    );
+    same_but_title("fig3-printed", Scene { corrections: Corrections::NONE, ..untitled("fig3") });
+    same_but_title("single-400", Scene { secondary: None, ..untitled("fig3") });
+    same_but_title("single-400", Scene { secondary: None, ..untitled("both-at-origin") });
     let mut aramid = untitled("single-400");
     aramid.primary.density = 1440.0;
     same_but_title("single-400-1440", aramid);
 
-    let (p, s) = (
-        &scenes["both-at-origin"].primary,
-        &scenes["both-at-origin"].secondary,
-    );
+    let (p, s) = (&scenes["both-at-origin"].primary, &scenes["both-at-origin"].secondary);
     let s = s.as_ref().unwrap();
-    assert_eq!(
-        (s.length, s.elements, s.density),
-        (p.length, p.elements, p.density)
-    );
+    assert_eq!((s.length, s.elements, s.density), (p.length, p.elements, p.density));
     assert_eq!((s.area, &s.material), (p.area, &p.material));
 }
 
 #[test]
 fn the_projectile_is_about_as_heavy_as_the_fibre_it_strikes() {
     let scene = &shipped()["finite-projectile"];
-    let Primary {
-        length,
-        density,
-        area,
-        ..
-    } = scene.primary;
+    let Primary { length, density, area, .. } = scene.primary;
     let ratio = scene.projectile.mass.unwrap() / (2.0 * density * area * length);
     // "About" is within a tenth: 0.7 g against 0.724 g of both halves.
     assert!((ratio - 1.0).abs() < 0.1, "{ratio}");

@@ -76,10 +76,7 @@ pub fn crossover(
         positive("slide factor", slide_factor)?;
     }
     if slide_factor > 1.0 {
-        return Err(SmithError::Input {
-            name: "slide factor",
-            value: slide_factor,
-        });
+        return Err(SmithError::Input { name: "slide factor", value: slide_factor });
     }
     let (c1, c2) = (primary.wave_speed(), secondary.wave_speed());
     let incident = smith(law, c1, velocity)?;
@@ -90,13 +87,9 @@ pub fn crossover(
         stiffness_ratio: secondary.modulus * secondary.area / (primary.modulus * primary.area),
         slide_factor,
     };
-    let Motion {
-        u,
-        deficit,
-        epsilon2,
-    } = junction.motion().ok_or_else(|| SmithError::KinkOvertakes {
-        limit: velocity_limit(law, c2),
-    })?;
+    let Motion { u, deficit, epsilon2 } = junction
+        .motion()
+        .ok_or_else(|| SmithError::KinkOvertakes { limit: velocity_limit(law, c2) })?;
 
     let diverted = state(law, c2, epsilon2);
     let transmitted = law.strain_at_particle_velocity(u);
@@ -165,22 +158,14 @@ impl Junction {
     /// be strained beyond its law's largest kinked strain.
     fn motion(&self) -> Option<Motion> {
         if self.slide_factor == 0.0 {
-            return Some(Motion {
-                u: self.w,
-                deficit: 0.0,
-                epsilon2: 0.0,
-            });
+            return Some(Motion { u: self.w, deficit: 0.0, epsilon2: 0.0 });
         }
         let highest = self.law.largest_kinked_strain();
         let epsilon2 = first_reaching(self.w, highest, |epsilon2| {
             self.velocity(epsilon2) + self.deficit(epsilon2)
         })?;
         let (u, deficit) = (self.velocity(epsilon2), self.deficit(epsilon2));
-        Some(Motion {
-            u,
-            deficit,
-            epsilon2,
-        })
+        Some(Motion { u, deficit, epsilon2 })
     }
 
     /// u/c₁ that strikes the secondary, at α_s·u, to engineering strain ε₂.

@@ -75,11 +75,7 @@ impl Mesh {
 
     /// Number of k ≥ 0 with step − place − ½ > 2kn.
     fn outward(&self, step: usize, place: usize) -> usize {
-        if step > place {
-            (step - place - 1) / (2 * self.elements) + 1
-        } else {
-            0
-        }
+        if step > place { (step - place - 1) / (2 * self.elements) + 1 } else { 0 }
     }
 
     /// Number of k ≥ 0 with path + ½ > 2(k + 1)n.
@@ -96,11 +92,7 @@ mod tests {
     fn mesh_is_the_continuum_sampled_where_it_says() {
         let elements = 7;
         let dx = 1.37e-3;
-        let pull = Pull {
-            length: elements as f64 * dx,
-            wave_speed: 6_371.3,
-            velocity: 17.3,
-        };
+        let pull = Pull { length: elements as f64 * dx, wave_speed: 6_371.3, velocity: 17.3 };
         let mesh = Mesh { elements };
         let dt = dx / pull.wave_speed;
         // Nine reflections; samples lie half an element off every front, so only the rounding of
@@ -113,16 +105,8 @@ mod tests {
             }
             for i in 0..=elements {
                 let middle = (step as f64 - 0.5) * dt;
-                let expected = if step == 0 {
-                    0.0
-                } else {
-                    pull.velocity(i as f64 * dx, middle)
-                };
-                assert_eq!(
-                    mesh.velocity(i, step) as f64 * pull.velocity,
-                    expected,
-                    "{i} {step}"
-                );
+                let expected = if step == 0 { 0.0 } else { pull.velocity(i as f64 * dx, middle) };
+                assert_eq!(mesh.velocity(i, step) as f64 * pull.velocity, expected, "{i} {step}");
             }
         }
     }
@@ -145,11 +129,7 @@ mod tests {
                 let found = |of: &dyn Fn(usize) -> usize, count: usize| -> Vec<i64> {
                     (0..count).map(|place| of(place) as i64).collect()
                 };
-                assert_eq!(
-                    found(&|i| mesh.velocity(i, step), elements + 1),
-                    v,
-                    "step {step}"
-                );
+                assert_eq!(found(&|i| mesh.velocity(i, step), elements + 1), v, "step {step}");
                 assert_eq!(found(&|i| mesh.strain(i, step), elements), e, "step {step}");
             }
         }
@@ -160,28 +140,20 @@ mod tests {
         // Over c, ρ and unit area: ∫ε dx = Vt; momentum grows by T(0) − T(L); energy by T(0)V.
         // Sums over cells between fronts: midpoints are exact for steps where the time is a
         // multiple of the cell's transit; 1e-12 is the rounding of 400 additions.
-        let pull = Pull {
-            length: 0.271,
-            wave_speed: 5_113.7,
-            velocity: -31.7,
-        };
+        let pull = Pull { length: 0.271, wave_speed: 5_113.7, velocity: -31.7 };
         let (cells, v, c) = (20, pull.velocity, pull.wave_speed);
         let dx = pull.length / f64::from(cells);
         let dt = dx / c;
         let middle = |cell: i32| (f64::from(cell) + 0.5) * dx;
         let sum = |t: f64, f: &dyn Fn(f64, f64) -> f64| -> f64 {
-            (0..cells)
-                .map(|i| f(pull.strain(middle(i), t), pull.velocity(middle(i), t)) * dx)
-                .sum()
+            (0..cells).map(|i| f(pull.strain(middle(i), t), pull.velocity(middle(i), t)) * dx).sum()
         };
         let (mut momentum, mut work) = (0.0, 0.0);
         for step in 1..=107 {
             // T/(ρc²) over the step is that at its middle: fronts meet the ends at step ends.
             let half_ago = (f64::from(step) - 0.5) * dt;
-            let (pulled, clamped) = (
-                pull.strain(0.0, half_ago),
-                pull.strain(pull.length, half_ago),
-            );
+            let (pulled, clamped) =
+                (pull.strain(0.0, half_ago), pull.strain(pull.length, half_ago));
             momentum += (pulled - clamped) * c * c * dt;
             work += pulled * c * c * v * dt;
             assert_eq!(pull.velocity(0.0, half_ago), v);
@@ -189,32 +161,18 @@ mod tests {
 
             let t = f64::from(step) * dt;
             let length = sum(t, &|strain, _| strain);
-            assert!(
-                (length / (v * t) - 1.0).abs() < 1e-12,
-                "length at {step}: {length}"
-            );
+            assert!((length / (v * t) - 1.0).abs() < 1e-12, "length at {step}: {length}");
             let found = sum(t, &|_, velocity| velocity);
-            assert!(
-                (found - momentum).abs() < 1e-12 * (v * pull.length).abs(),
-                "{step}: {found}"
-            );
-            let energy = sum(t, &|strain, velocity| {
-                (c * c * strain * strain + velocity * velocity) / 2.0
-            });
-            assert!(
-                (energy / work - 1.0).abs() < 1e-12,
-                "energy at {step}: {energy} {work}"
-            );
+            assert!((found - momentum).abs() < 1e-12 * (v * pull.length).abs(), "{step}: {found}");
+            let energy =
+                sum(t, &|strain, velocity| (c * c * strain * strain + velocity * velocity) / 2.0);
+            assert!((energy / work - 1.0).abs() < 1e-12, "energy at {step}: {energy} {work}");
         }
     }
 
     #[test]
     fn fibre_is_exactly_at_rest_ahead_of_the_front() {
-        let pull = Pull {
-            length: 0.271,
-            wave_speed: 5_113.7,
-            velocity: 31.7,
-        };
+        let pull = Pull { length: 0.271, wave_speed: 5_113.7, velocity: 31.7 };
         let t = 0.113 / pull.wave_speed;
         assert_eq!((pull.strain(0.114, t), pull.velocity(0.114, t)), (0.0, 0.0));
         // One front behind it: V/c, a single division.

@@ -94,10 +94,7 @@ mod tests {
             let k_dx = 0.0371;
             let lag = 1.0 - phase_speed_ratio(alpha, k_dx).unwrap();
             let leading = (1.0 - alpha * alpha) * k_dx * k_dx / 24.0;
-            assert!(
-                (lag / leading - 1.0).abs() < k_dx * k_dx,
-                "{alpha}: {lag:e} {leading:e}"
-            );
+            assert!((lag / leading - 1.0).abs() < k_dx * k_dx, "{alpha}: {lag:e} {leading:e}");
         }
     }
 
@@ -131,16 +128,10 @@ mod tests {
             let marched = now.abs();
             let found = amplification(alpha, k_dx);
             // b is rounded, and g magnifies it by 1/√(b² − 1) = 8.
-            assert!(
-                (found / marched - 1.0).abs() < 1e-14,
-                "{alpha}: {found} {marched}"
-            );
+            assert!((found / marched - 1.0).abs() < 1e-14, "{alpha}: {found} {marched}");
             // The product of the roots is 1.
             let g = -found;
-            assert!(
-                (g * g - 2.0 * b * g + 1.0).abs() < 1e-14 * g * g,
-                "{alpha}: {g}"
-            );
+            assert!((g * g - 2.0 * b * g + 1.0).abs() < 1e-14 * g * g, "{alpha}: {g}");
         }
         for (alpha, k_dx) in [(0.97, PI), (1.0, PI), (1.31, 0.83)] {
             assert_eq!(amplification(alpha, k_dx), 1.0);

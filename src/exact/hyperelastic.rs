@@ -28,18 +28,12 @@ pub struct Strain {
 impl Strain {
     /// The deformation of engineering strain ε > −1.
     pub fn from_engineering(strain: f64) -> Self {
-        Self {
-            engineering: strain,
-            logarithmic: f_log1p(strain),
-        }
+        Self { engineering: strain, logarithmic: f_log1p(strain) }
     }
 
     /// The deformation of logarithmic strain e.
     pub fn from_logarithmic(strain: f64) -> Self {
-        Self {
-            engineering: f_expm1(strain),
-            logarithmic: strain,
-        }
+        Self { engineering: f_expm1(strain), logarithmic: strain }
     }
 
     /// Stretch λ.
@@ -152,10 +146,7 @@ mod tests {
         for e in [0.41, 0.83] {
             let printed = (e - 1.0) * pxfm::f_exp(e) + 1.0;
             let energy = Law::Logarithmic.stored_energy(Strain::from_logarithmic(e));
-            assert!(
-                (energy / printed - 1.0).abs() < 5e-15,
-                "{e}: {energy} {printed}"
-            );
+            assert!((energy / printed - 1.0).abs() < 5e-15, "{e}: {energy} {printed}");
         }
     }
 
@@ -163,18 +154,14 @@ mod tests {
     fn particle_velocity_is_the_integral_of_the_wave_speed() {
         for law in LAWS {
             for epsilon in [3.7e-10, 0.014_534, 0.91] {
-                let expected = integral(0.0, epsilon, |s| {
-                    law.longitudinal_speed(Strain::from_engineering(s))
-                });
+                let expected =
+                    integral(0.0, epsilon, |s| law.longitudinal_speed(Strain::from_engineering(s)));
                 let w = law.particle_velocity(Strain::from_engineering(epsilon));
                 // Rounding of the 768 additions of the integral.
                 assert!((w / expected - 1.0).abs() < 5e-15, "{law:?} {epsilon}: {w}");
                 let back = law.strain_at_particle_velocity(w).engineering;
                 // Four roundings forth and back.
-                assert!(
-                    (back / epsilon - 1.0).abs() < 1e-15,
-                    "{law:?} {epsilon}: {back}"
-                );
+                assert!((back / epsilon - 1.0).abs() < 1e-15, "{law:?} {epsilon}: {back}");
             }
         }
     }
@@ -187,10 +174,7 @@ mod tests {
             let slope = (tension(epsilon + h) - tension(epsilon - h)) / (2.0 * h);
             let speed = law.longitudinal_speed(Strain::from_engineering(epsilon));
             // Central difference: h²T‴/6 ≈ 1e-11 and cancellation ≈ 1e-16/h = 1e-11.
-            assert!(
-                (speed * speed - slope).abs() < 5e-11,
-                "{law:?}: {speed} {slope}"
-            );
+            assert!((speed * speed - slope).abs() < 5e-11, "{law:?}: {speed} {slope}");
         }
     }
 

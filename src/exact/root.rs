@@ -38,10 +38,7 @@ mod tests {
         // few below it whose triple rounds to the same double: a distance of at most one ulp.
         for root in [4.731e-300, 8.13e-17, 0.731, 5.77e12, 3.19e300] {
             let found = first_reaching(3.0 * root, f64::MAX, |x| 3.0 * x).unwrap();
-            assert!(
-                root.to_bits() - found.to_bits() <= 1,
-                "{found} is not {root}"
-            );
+            assert!(root.to_bits() - found.to_bits() <= 1, "{found} is not {root}");
         }
     }
 

@@ -58,10 +58,7 @@ impl fmt::Display for SmithError {
         match self {
             Self::Input { name, value } => write!(f, "{name} = {value:e} is out of range"),
             Self::KinkOvertakes { limit } => {
-                write!(
-                    f,
-                    "above {limit} m/s the kink overtakes the longitudinal wave"
-                )
+                write!(f, "above {limit} m/s the kink overtakes the longitudinal wave")
             }
         }
     }
@@ -101,15 +98,11 @@ pub fn smith(law: Law, wave_speed: f64, velocity: f64) -> Result<Smith, SmithErr
         return Ok(state(law, wave_speed, 0.0));
     }
     positive("velocity", velocity)?;
-    first_reaching(
-        velocity / wave_speed,
-        law.largest_kinked_strain(),
-        |epsilon| impact_velocity(law, epsilon),
-    )
-    .map(|epsilon| state(law, wave_speed, epsilon))
-    .ok_or_else(|| SmithError::KinkOvertakes {
-        limit: velocity_limit(law, wave_speed),
+    first_reaching(velocity / wave_speed, law.largest_kinked_strain(), |epsilon| {
+        impact_velocity(law, epsilon)
     })
+    .map(|epsilon| state(law, wave_speed, epsilon))
+    .ok_or_else(|| SmithError::KinkOvertakes { limit: velocity_limit(law, wave_speed) })
 }
 
 /// The greatest impact velocity that has a solution, m/s.
@@ -158,11 +151,7 @@ pub(super) fn state(law: Law, wave_speed: f64, epsilon: f64) -> Smith {
 
 /// An error unless the value is in the range within which no product below can overflow.
 pub(super) fn positive(name: &'static str, value: f64) -> Result<(), SmithError> {
-    if (1e-60..=1e60).contains(&value) {
-        Ok(())
-    } else {
-        Err(SmithError::Input { name, value })
-    }
+    if (1e-60..=1e60).contains(&value) { Ok(()) } else { Err(SmithError::Input { name, value }) }
 }
 
 #[cfg(test)]

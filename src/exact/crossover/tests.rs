@@ -5,24 +5,16 @@ use super::super::quadrature::integral;
 use super::*;
 
 const LAWS: [Law; 2] = [Law::Engineering, Law::Logarithmic];
-const ARAMID: Fibre = Fibre {
-    modulus: 58.6e9,
-    density: 1206.7,
-    area: 1.37e-8,
-};
+const ARAMID: Fibre = Fibre { modulus: 58.6e9, density: 1206.7, area: 1.37e-8 };
 
 #[test]
 fn coefficients_of_the_scene_of_figure_3_are_found() {
     // From an independent solution printed to so many decimals: half a unit of the last one.
-    let found = crossover(Law::Engineering, &ARAMID, &ARAMID, 1.0, 400.0)
-        .unwrap()
-        .engineering;
+    let found = crossover(Law::Engineering, &ARAMID, &ARAMID, 1.0, 400.0).unwrap().engineering;
     assert!((found.reflection - 0.0440).abs() < 0.5e-4, "{found:?}");
     assert!((found.transmission - 0.9560).abs() < 0.5e-4, "{found:?}");
     assert!((found.diversion - 0.1467).abs() < 0.5e-4, "{found:?}");
-    let found = crossover(Law::Logarithmic, &ARAMID, &ARAMID, 1.0, 400.0)
-        .unwrap()
-        .engineering;
+    let found = crossover(Law::Logarithmic, &ARAMID, &ARAMID, 1.0, 400.0).unwrap().engineering;
     assert!((found.transmission - 0.95553).abs() < 0.5e-5, "{found:?}");
     assert!((found.diversion - 0.14628).abs() < 0.5e-5, "{found:?}");
 }
@@ -37,56 +29,26 @@ fn unequal_fibres_that_slide_agree_with_a_solution_to_40_digits() {
             Law::Engineering,
             96.406_738_539_744_53,
             [
-                [
-                    0.078_938_411_460_893_19,
-                    0.921_061_588_539_106_8,
-                    0.103_422_621_589_561_61,
-                ],
-                [
-                    0.078_307_179_014_480_98,
-                    0.921_601_296_191_569_4,
-                    0.104_116_548_205_358_66,
-                ],
+                [0.078_938_411_460_893_19, 0.921_061_588_539_106_8, 0.103_422_621_589_561_61],
+                [0.078_307_179_014_480_98, 0.921_601_296_191_569_4, 0.104_116_548_205_358_66],
             ],
         ),
         (
             Law::Logarithmic,
             96.475_343_585_049_8,
             [
-                [
-                    0.079_831_830_587_699_04,
-                    0.920_215_531_982_983_4,
-                    0.103_049_982_179_811_03,
-                ],
-                [
-                    0.079_189_716_502_780_68,
-                    0.920_763_273_986_989_7,
-                    0.103_745_212_698_699_4,
-                ],
+                [0.079_831_830_587_699_04, 0.920_215_531_982_983_4, 0.103_049_982_179_811_03],
+                [0.079_189_716_502_780_68, 0.920_763_273_986_989_7, 0.103_745_212_698_699_4],
             ],
         ),
     ] {
-        let secondary = Fibre {
-            modulus: 91.3e9,
-            density: 1_713.0,
-            area: 2.91e-8,
-        };
+        let secondary = Fibre { modulus: 91.3e9, density: 1_713.0, area: 2.91e-8 };
         let found = crossover(law, &ARAMID, &secondary, 0.83, 411.3).unwrap();
-        assert!(
-            (found.junction_speed / u - 1.0).abs() < 2e-15,
-            "{law:?}: {found:?}"
-        );
+        assert!((found.junction_speed / u - 1.0).abs() < 2e-15, "{law:?}: {found:?}");
         for (found, expected) in [found.engineering, found.logarithmic].iter().zip(expected) {
-            let Coefficients {
-                reflection,
-                transmission,
-                diversion,
-            } = *found;
+            let Coefficients { reflection, transmission, diversion } = *found;
             for (found, expected) in [reflection, transmission, diversion].iter().zip(expected) {
-                assert!(
-                    (found / expected - 1.0).abs() < 5e-15,
-                    "{law:?}: {found} {expected}"
-                );
+                assert!((found / expected - 1.0).abs() < 5e-15, "{law:?}: {found} {expected}");
             }
         }
     }
@@ -100,17 +62,10 @@ fn equal_fibres_without_sliding_share_the_power_as_the_algebra_says() {
         let found = crossover(Law::Engineering, &ARAMID, &ARAMID, 1.0, velocity).unwrap();
         let e2 = found.diverted.strain.engineering;
         let s = (e2 / (1.0 + e2)).sqrt();
-        let Coefficients {
-            reflection: r,
-            transmission: t,
-            ..
-        } = found.engineering;
+        let Coefficients { reflection: r, transmission: t, .. } = found.engineering;
         assert!((r * (1.0 + s) / s - 1.0).abs() < 1e-15, "{velocity}: R {r}");
         assert!((t * (1.0 + s) - 1.0).abs() < 1e-15, "{velocity}: T {t}");
-        assert!(
-            (r * r + t * t + 2.0 * s * t * t - 1.0).abs() < 1e-15,
-            "{velocity}"
-        );
+        assert!((r * r + t * t + 2.0 * s * t * t - 1.0).abs() < 1e-15, "{velocity}");
     }
 }
 
@@ -120,11 +75,7 @@ fn sliding_weakens_the_crossover_by_its_small_strain_powers() {
     // 1e-3 at α_s = 0.02, where √ε₂ changes by 4e-4 from one α_s to the other; the slope over
     // a factor of 2 sees that over ln 2.
     for law in LAWS {
-        let at = |slide| {
-            crossover(law, &ARAMID, &ARAMID, slide, 411.3)
-                .unwrap()
-                .engineering
-        };
+        let at = |slide| crossover(law, &ARAMID, &ARAMID, slide, 411.3).unwrap().engineering;
         let (weak, strong) = (at(0.013), at(0.026));
         let slope = |a: f64, b: f64| (b / a).log2();
         let d = slope(weak.diversion, strong.diversion);
@@ -138,18 +89,11 @@ fn sliding_weakens_the_crossover_by_its_small_strain_powers() {
 fn free_sliding_leaves_the_incident_wave_alone() {
     for law in LAWS {
         let free = crossover(law, &ARAMID, &ARAMID, 0.0, 411.3).unwrap();
-        let nothing = Coefficients {
-            reflection: 0.0,
-            transmission: 1.0,
-            diversion: 0.0,
-        };
+        let nothing = Coefficients { reflection: 0.0, transmission: 1.0, diversion: 0.0 };
         for found in [free.engineering, free.logarithmic] {
             assert_eq!((found.reflection, found.diversion), (0.0, 0.0));
             // ε from W from ε: four roundings.
-            assert!(
-                (found.transmission - nothing.transmission).abs() < 1e-15,
-                "{found:?}"
-            );
+            assert!((found.transmission - nothing.transmission).abs() < 1e-15, "{found:?}");
         }
     }
 }
@@ -157,24 +101,14 @@ fn free_sliding_leaves_the_incident_wave_alone() {
 #[test]
 fn heavy_secondary_holds_the_junction_and_doubles_the_strain() {
     // As α_s²ρ₂A₂ grows, u → 0: the junction becomes a clamp, where W(λ_b) = 2W_i.
-    let heavy = Fibre {
-        area: 1.37e12,
-        ..ARAMID
-    };
+    let heavy = Fibre { area: 1.37e12, ..ARAMID };
     for law in LAWS {
         let held = crossover(law, &ARAMID, &heavy, 1.0, 411.3).unwrap();
         let w = held.incident.inflow_velocity / ARAMID.wave_speed();
         // The clamp's strain by hand: 2w, or (1 + w)² − 1 = w(2 + w); u is a 1e-12 of W here.
-        let clamp = if law == Law::Engineering {
-            2.0 * w
-        } else {
-            w * (2.0 + w)
-        };
+        let clamp = if law == Law::Engineering { 2.0 * w } else { w * (2.0 + w) };
         assert!(held.engineering.transmission < 1e-11, "{law:?}: {held:?}");
-        assert!(
-            (held.reflected.engineering / clamp - 1.0).abs() < 1e-11,
-            "{law:?}"
-        );
+        assert!((held.reflected.engineering / clamp - 1.0).abs() < 1e-11, "{law:?}");
     }
 }
 
@@ -182,35 +116,13 @@ fn heavy_secondary_holds_the_junction_and_doubles_the_strain() {
 fn what_has_no_solution_is_refused_with_its_reason() {
     for bad in [-0.1, 1.000_1, f64::NAN] {
         let error = crossover(Law::Engineering, &ARAMID, &ARAMID, bad, 411.3).unwrap_err();
-        assert!(
-            matches!(
-                error,
-                SmithError::Input {
-                    name: "slide factor",
-                    ..
-                }
-            ),
-            "{error}"
-        );
+        assert!(matches!(error, SmithError::Input { name: "slide factor", .. }), "{error}");
     }
-    let bad = Fibre {
-        area: 0.0,
-        ..ARAMID
-    };
+    let bad = Fibre { area: 0.0, ..ARAMID };
     let error = crossover(Law::Engineering, &ARAMID, &bad, 0.7, 411.3).unwrap_err();
-    assert_eq!(
-        error,
-        SmithError::Input {
-            name: "area",
-            value: 0.0
-        }
-    );
+    assert_eq!(error, SmithError::Input { name: "area", value: 0.0 });
     // A slow, light secondary dragged along at 77 m/s, 2.4 times its wave speed.
-    let slow = Fibre {
-        modulus: 1.2e6,
-        area: 1e-13,
-        ..ARAMID
-    };
+    let slow = Fibre { modulus: 1.2e6, area: 1e-13, ..ARAMID };
     assert!(crossover(Law::Engineering, &ARAMID, &slow, 1.0, 411.3).is_ok());
     let error = crossover(Law::Logarithmic, &ARAMID, &slow, 1.0, 411.3).unwrap_err();
     let limit = velocity_limit(Law::Logarithmic, slow.wave_speed());
@@ -238,11 +150,7 @@ fn whole_junction_balances_momentum_and_energy() {
     // the power at the inner end less what the secondary takes. The waves are integrated over
     // the ray coordinate ξ = X/t, inside a fan with λ = (c/ξ)². Units of c₁ and E₁A₁; the
     // tolerance is the rounding of the integrals.
-    let secondary = Fibre {
-        modulus: 91.3e9,
-        density: 1_713.0,
-        area: 2.91e-8,
-    };
+    let secondary = Fibre { modulus: 91.3e9, density: 1_713.0, area: 2.91e-8 };
     for (law, slide, velocity) in [
         (Law::Engineering, 0.83, 411.3),
         (Law::Logarithmic, 0.83, 411.3),
@@ -253,14 +161,9 @@ fn whole_junction_balances_momentum_and_energy() {
         let (w, u) = (found.incident.inflow_velocity / c, found.junction_speed / c);
         // ∫ over the rays of one wave of f(strain), from `slow` (behind it) to `fast` (ahead).
         let wave = |behind: Strain, ahead: Strain, f: &dyn Fn(Strain) -> f64| {
-            let (slow, fast) = (
-                law.longitudinal_speed(behind),
-                law.longitudinal_speed(ahead),
-            );
+            let (slow, fast) = (law.longitudinal_speed(behind), law.longitudinal_speed(ahead));
             let fan = if slow < fast {
-                integral(slow, fast, |xi| {
-                    f(Strain::from_engineering(1.0 / (xi * xi) - 1.0))
-                })
+                integral(slow, fast, |xi| f(Strain::from_engineering(1.0 / (xi * xi) - 1.0)))
             } else {
                 0.0
             };
@@ -270,11 +173,10 @@ fn whole_junction_balances_momentum_and_energy() {
         let backward = |strain| 2.0 * w - law.particle_velocity(strain);
         let rest = Strain::from_engineering(0.0);
         let grown = |f: &dyn Fn(Strain, f64) -> f64| {
-            wave(found.transmitted, rest, &|strain| {
-                f(strain, forward(strain))
-            }) + wave(found.reflected, found.incident.strain, &|strain| {
-                f(strain, backward(strain))
-            })
+            wave(found.transmitted, rest, &|strain| f(strain, forward(strain)))
+                + wave(found.reflected, found.incident.strain, &|strain| {
+                    f(strain, backward(strain))
+                })
         };
         let arms = 2.0 * secondary.modulus * secondary.area / (ARAMID.modulus * ARAMID.area);
         let force = arms * found.diverted.tension * found.diverted.angle_sine * slide;
@@ -282,16 +184,10 @@ fn whole_junction_balances_momentum_and_energy() {
         let scale = found.incident.tension + force;
         let momentum = grown(&|_, v| v);
         let pull = found.incident.tension - force;
-        assert!(
-            (momentum - pull).abs() < 3e-15 * scale,
-            "{law:?}: {momentum:e} {pull:e}"
-        );
+        assert!((momentum - pull).abs() < 3e-15 * scale, "{law:?}: {momentum:e} {pull:e}");
         let energy = grown(&|strain, v| law.stored_energy(strain) + v * v / 2.0);
         let power = found.incident.tension * w - force * u;
-        assert!(
-            (energy - power).abs() < 3e-15 * scale * w,
-            "{law:?}: {energy:e} {power:e}"
-        );
+        assert!((energy - power).abs() < 3e-15 * scale * w, "{law:?}: {energy:e} {power:e}");
     }
 }
 

@@ -6,12 +6,7 @@ use super::*;
 const LAWS: [Law; 2] = [Law::Engineering, Law::Logarithmic];
 
 fn aramid(density: f64) -> f64 {
-    Fibre {
-        modulus: 58.6e9,
-        density,
-        area: 1.37e-8,
-    }
-    .wave_speed()
+    Fibre { modulus: 58.6e9, density, area: 1.37e-8 }.wave_speed()
 }
 
 #[test]
@@ -20,18 +15,9 @@ fn strains_of_the_paper_at_400_metres_a_second_are_found() {
     // another language. Tolerance: c and the relation are rounded some ten times in double.
     let at = |law, density| smith(law, aramid(density), 400.0).unwrap().strain;
     for (found, expected) in [
-        (
-            at(Law::Engineering, 1206.7).engineering,
-            0.014_463_451_118_192_597,
-        ),
-        (
-            at(Law::Logarithmic, 1206.7).engineering,
-            0.014_534_438_186_811_81,
-        ),
-        (
-            at(Law::Logarithmic, 1206.7).logarithmic,
-            0.014_429_825_677_824_254,
-        ),
+        (at(Law::Engineering, 1206.7).engineering, 0.014_463_451_118_192_597),
+        (at(Law::Logarithmic, 1206.7).engineering, 0.014_534_438_186_811_81),
+        (at(Law::Logarithmic, 1206.7).logarithmic, 0.014_429_825_677_824_254),
     ] {
         assert!((found / expected - 1.0).abs() < 2e-15, "{found} {expected}");
     }
@@ -46,10 +32,7 @@ fn engineering_strain_satisfies_the_relation_as_it_is_usually_written() {
     // V = c√(2ε√(ε(1 + ε)) − ε²); a few roundings.
     let c = 6_371.3;
     for velocity in [3.7, 411.3, 2_903.0] {
-        let e = smith(Law::Engineering, c, velocity)
-            .unwrap()
-            .strain
-            .engineering;
+        let e = smith(Law::Engineering, c, velocity).unwrap().strain.engineering;
         let back = c * (2.0 * e * (e * (1.0 + e)).sqrt() - e * e).sqrt();
         assert!((back / velocity - 1.0).abs() < 1e-15, "{velocity} {back}");
     }
@@ -75,10 +58,7 @@ fn impact_velocity_increases_with_strain_throughout_the_range() {
     for (law, last) in [(Law::Engineering, 1e4), (Law::Logarithmic, 1.718)] {
         let mut epsilon = 1.3e-12;
         while epsilon * 1.07 < last {
-            let (low, high) = (
-                impact_velocity(law, epsilon),
-                impact_velocity(law, 1.07 * epsilon),
-            );
+            let (low, high) = (impact_velocity(law, epsilon), impact_velocity(law, 1.07 * epsilon));
             // V grows at least as ε^{3/4} and at most as ε: 1.07^{0.7} = 1.048 from below.
             assert!(high > 1.02 * low, "{law:?} {epsilon}: {low} {high}");
             epsilon *= 1.07;
@@ -95,12 +75,7 @@ fn logarithmic_law_has_no_solution_above_its_limit() {
     assert!((limit - 1.6109).abs() < 0.5e-4);
     assert!(smith(Law::Logarithmic, c, 1.6108 * c).is_ok());
     let error = smith(Law::Logarithmic, c, 1.6110 * c).unwrap_err();
-    assert_eq!(
-        error,
-        SmithError::KinkOvertakes {
-            limit: velocity_limit(Law::Logarithmic, c)
-        }
-    );
+    assert_eq!(error, SmithError::KinkOvertakes { limit: velocity_limit(Law::Logarithmic, c) });
     assert!(error.to_string().contains("overtakes"), "{error}");
     assert!(smith(Law::Engineering, c, 37.1 * c).is_ok());
 }
@@ -109,16 +84,8 @@ fn logarithmic_law_has_no_solution_above_its_limit() {
 fn fibre_that_is_not_struck_stays_at_rest() {
     for law in LAWS {
         let rest = smith(law, 6_371.3, 0.0).unwrap();
-        let zeros = [
-            rest.tension,
-            rest.inflow_velocity,
-            rest.kink_speed,
-            rest.angle_sine,
-        ];
-        assert_eq!(
-            (rest.strain.stretch(), zeros, rest.angle_cosine),
-            (1.0, [0.0; 4], 1.0)
-        );
+        let zeros = [rest.tension, rest.inflow_velocity, rest.kink_speed, rest.angle_sine];
+        assert_eq!((rest.strain.stretch(), zeros, rest.angle_cosine), (1.0, [0.0; 4], 1.0));
     }
 }
 
@@ -126,27 +93,9 @@ fn fibre_that_is_not_struck_stays_at_rest() {
 fn input_that_is_no_positive_number_is_refused() {
     for bad in [-3.1, f64::NAN, f64::INFINITY, 1e-200] {
         let error = smith(Law::Engineering, 6_371.3, bad).unwrap_err();
-        assert!(
-            matches!(
-                error,
-                SmithError::Input {
-                    name: "velocity",
-                    ..
-                }
-            ),
-            "{error:?}"
-        );
+        assert!(matches!(error, SmithError::Input { name: "velocity", .. }), "{error:?}");
         let error = smith(Law::Engineering, bad, 411.3).unwrap_err();
-        assert!(
-            matches!(
-                error,
-                SmithError::Input {
-                    name: "wave speed",
-                    ..
-                }
-            ),
-            "{error:?}"
-        );
+        assert!(matches!(error, SmithError::Input { name: "wave speed", .. }), "{error:?}");
         assert!(error.to_string().contains("wave speed"), "{error}");
     }
 }
@@ -156,11 +105,9 @@ fn whole_wave_balances_length_momentum_and_energy() {
     // In the ray coordinate ξ = X/t the longitudinal wave is λ(ξ), here inverted from the
     // characteristic speed by hand: (c/ξ)² for the logarithmic law. Units of c and E; the
     // integrals carry 1e-14 of rounding.
-    for (law, velocity) in [
-        (Law::Engineering, 0.0574),
-        (Law::Logarithmic, 0.0574),
-        (Law::Logarithmic, 1.47),
-    ] {
+    for (law, velocity) in
+        [(Law::Engineering, 0.0574), (Law::Logarithmic, 0.0574), (Law::Logarithmic, 1.47)]
+    {
         let c = 6_371.3;
         let s = smith(law, c, velocity * c).unwrap();
         let (w, u) = (s.inflow_velocity / c, s.kink_speed_lagrangian / c);
@@ -174,23 +121,14 @@ fn whole_wave_balances_length_momentum_and_energy() {
             if tail < 1.0 { after + inside } else { after }
         };
         let kink = 1.0 - fan(&|strain, _| strain.stretch());
-        assert!(
-            (kink - s.kink_speed / c).abs() < 1e-14,
-            "length {law:?}: {kink} {s:?}"
-        );
+        assert!((kink - s.kink_speed / c).abs() < 1e-14, "length {law:?}: {kink} {s:?}");
         let momentum = fan(&|_, w| w);
         let pull = s.tension * s.angle_cosine;
-        assert!(
-            (momentum - pull).abs() < 1e-14,
-            "momentum {law:?}: {momentum} {pull}"
-        );
+        assert!((momentum - pull).abs() < 1e-14, "momentum {law:?}: {momentum} {pull}");
         let energy = fan(&|strain, w| law.stored_energy(strain) + w * w / 2.0)
             + u * (law.stored_energy(s.strain) + velocity * velocity / 2.0);
         let work = s.tension * s.angle_sine * velocity;
-        assert!(
-            (energy - work).abs() < 1e-14,
-            "energy {law:?}: {energy} {work}"
-        );
+        assert!((energy - work).abs() < 1e-14, "energy {law:?}: {energy} {work}");
     }
 }
 
