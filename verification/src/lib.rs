@@ -4,6 +4,7 @@ pub mod cases;
 pub mod claims;
 pub mod command;
 pub mod exit;
+pub mod golden;
 pub mod ledger_effects;
 pub mod output;
 pub mod record;

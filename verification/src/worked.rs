@@ -62,7 +62,7 @@ impl<'a, W: Write> Worked<'a, W> {
         };
         let (number, name) = (event.equation, known_equation.name);
         writeln!(self.out, "step {step}, {}, {what} {index}: ({number}) {name}\n", fibre.name())?;
-        writeln!(self.out, "  printed    {}", known_equation.printed)?;
+        writeln!(self.out, "  printed     {}", known_equation.printed)?;
         for note in ledger(self.scene, number) {
             writeln!(self.out, "  {note}")?;
         }
@@ -95,7 +95,7 @@ impl<'a, W: Write> Worked<'a, W> {
             Value::Scalar(x) => format!("{x:?}"),
             Value::Vector(v) => format!("{v:?}"),
         };
-        writeln!(self.out, "  traced     {traced}: {}", verdict.words(&event.output, by_hand))
+        writeln!(self.out, "  traced      {traced}: {}", verdict.words(&event.output, by_hand))
     }
 }
 
@@ -111,7 +111,7 @@ impl<W: Write> Sink<f64> for Worked<'_, W> {
 fn ledger(scene: &Scene, number: u8) -> Vec<String> {
     let mut notes = Vec::new();
     if number == 4 && scene.strain == Strain::Engineering {
-        notes.push("measure    engineering strain in place of (4): not the paper's".into());
+        notes.push("measure     engineering strain in place of (4): not the paper's".into());
     }
     for erratum in Erratum::ALL {
         let entry = erratum.entry();
@@ -125,7 +125,7 @@ fn ledger(scene: &Scene, number: u8) -> Vec<String> {
             Kind::Reading => ("reading", entry.used),
             Kind::Report => ("note", entry.trouble),
         };
-        notes.push(format!("{word:<10} {}: {text}", entry.id));
+        notes.push(format!("{word:<11} {}: {text}", entry.id));
     }
     notes
 }

@@ -8,6 +8,7 @@ mod scene;
 mod schema;
 mod select;
 mod trace;
+mod vectors;
 mod verify;
 
 use std::process::ExitCode;
@@ -36,6 +37,8 @@ enum Command {
     Plan(plan::Args),
     /// Run the checks, say what came of them and write the reports.
     Verify(verify::Args),
+    /// Compare the golden vectors with what this program computes, or store them anew.
+    Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
     Schema(schema::Args),
 }
@@ -59,6 +62,7 @@ fn run(command: Command) -> Result<Exit> {
         Command::Trace(args) => trace::run(args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
+        Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use crossfibre::plan::Plan;
-use crossfibre::result::{self, RunResult};
+use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use crossfibre::state::State;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,6 +14,7 @@ use super::{ended, scene};
 use crate::exit::Exit;
 use crate::output::Destination;
 use crate::summary::Summary;
+use crate::wide;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -65,14 +66,14 @@ const BETWEEN: u64 = 10_000_000;
 
 fn march(scene: &Scene, plan: &Plan, quiet: bool) -> RunResult {
     if quiet || plan.element_steps < LONG {
-        return result::run(scene, |_| {});
+        return wide::run(scene, |_| {});
     }
     // Drawn on standard error, and only if that is a terminal.
     let style = ProgressStyle::with_template("{wide_bar} {percent} %, {eta} left")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar = ProgressBar::new(plan.element_steps as u64).with_style(style);
     let mut next = BETWEEN;
-    let result = result::run(scene, |state: &State<f64>| {
+    let result = wide::run(scene, |state: &State<f64>| {
         if state.work.elements >= next {
             next = state.work.elements + BETWEEN;
             bar.set_position(state.work.elements);

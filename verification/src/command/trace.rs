@@ -139,7 +139,6 @@ impl March<'_> {
                 break;
             }
         }
-        drop(traced);
         Ran { outcome, seen }
     }
 }

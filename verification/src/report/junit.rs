@@ -67,7 +67,7 @@ mod tests {
             seconds: 0.25,
         };
         let xml = render(&Record { cases: vec![case], ..Record::empty() }).unwrap();
-        assert!(xml.contains("tests=\"2\" failures=\"1\""), "{xml}");
+        assert!(xml.contains("tests=\"2\" skipped=\"0\" failures=\"1\""), "{xml}");
         assert!(xml.contains("&lt;&amp;&quot;"), "{xml}");
         assert!(!xml.contains("<&"), "{xml}");
     }

@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn operations_go_from_left_to_right() {
         use Quantity::Scalar;
-        let (a, b, c) = (0.1, 0.7, 1.9);
+        let (a, b, c) = (0.1, 0.7, 0.3);
         let known = [("a", Scalar(a)), ("b", Scalar(b)), ("c", Scalar(c))];
         let value = |expression| worked(&line("y", expression), &known)[0].value;
         assert_eq!(value("{a} * {b} / {c}"), a * b / c);

@@ -1,0 +1,59 @@
+//! `crossfibre plan`, `crossfibre schema`, and the help.
+#![allow(clippy::unwrap_used)] // a test may
+
+mod cli_support;
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use cli_support::{assert_snapshot, crossfibre, scenes};
+use serde_json::Value;
+
+#[test]
+fn a_plan_says_which_equations_run_and_why() {
+    for scene in ["unequal", "single-400"] {
+        let ended = crossfibre(&scenes(), &["plan", &format!("{scene}.json")]);
+        assert_snapshot(&format!("plan-{scene}"), &ended.seen());
+    }
+}
+
+fn keys(json: &Value) -> BTreeSet<String> {
+    json.as_object().unwrap().keys().cloned().collect()
+}
+
+/// A schema that forgets a field or names one that is not written is wrong.
+#[test]
+fn a_schema_has_the_fields_that_are_written() {
+    let json = |arguments: &[&str]| {
+        let ended = crossfibre(&scenes(), arguments);
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+        serde_json::from_str::<Value>(&ended.stdout).unwrap()
+    };
+    let scene = fs::read_to_string(scenes().join("unequal.json")).unwrap();
+    let scene: Value = serde_json::from_str(&scene).unwrap();
+    let event = crossfibre(&scenes(), &["trace", "unequal.json", "--step", "1", "--eq", "8"]);
+    let event: Value = serde_json::from_str(event.stdout.lines().nth(1).unwrap()).unwrap();
+    let trace_schema = json(&["schema", "trace"]);
+    for (written, schema) in [
+        (scene, &json(&["schema", "scene"])),
+        (json(&["run", "unequal.json", "--json"]), &json(&["schema", "result"])),
+        (json(&["plan", "unequal.json", "--json"]), &json(&["schema", "plan"])),
+        (event, &trace_schema["$defs"]["Event"]),
+    ] {
+        assert_eq!(keys(&written), keys(&schema["properties"]));
+    }
+}
+
+#[test]
+fn the_help_tells_the_exit_codes_and_bad_usage_has_code_1() {
+    let help = crossfibre(&scenes(), &["--help"]);
+    assert_eq!((help.code, help.stderr.as_str()), (0, ""));
+    for code in ["   0  all well", "   1  bad input", "   3  the run diverged", "  70  a fault"] {
+        assert!(help.stdout.contains(code), "{}", help.stdout);
+    }
+    assert_eq!(crossfibre(&scenes(), &["--version"]).code, 0);
+    for usage in [&[][..], &["run"], &["rum", "fig3.json"], &["plan", "fig3.json", "--force"]] {
+        let ended = crossfibre(&scenes(), usage);
+        assert_eq!((ended.code, ended.stdout.as_str()), (1, ""), "{usage:?}");
+    }
+}

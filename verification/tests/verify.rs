@@ -1,0 +1,79 @@
+//! `crossfibre verify`: the reports, the exit codes, and that they are functions of the record.
+
+#![allow(clippy::unwrap_used)] // a test may
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use crossfibre_verification::record::Record;
+use crossfibre_verification::report::{junit, markdown};
+
+fn verify(arguments: &[&str], folder: &Path) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("crossfibre")
+        .unwrap()
+        .arg("verify")
+        .args(arguments)
+        .current_dir(folder)
+        .assert()
+}
+
+fn stdout(assert: &assert_cmd::assert::Assert) -> String {
+    String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+}
+
+#[test]
+fn everything_passes_and_the_reports_are_functions_of_the_record() {
+    let folder = tempfile::tempdir().unwrap();
+    verify(&[], folder.path()).success();
+    let reports = folder.path().join("target/verification");
+    let read = |name: &str| fs::read_to_string(reports.join(name)).unwrap();
+    let record: Record = serde_json::from_str(&read("report.json")).unwrap();
+    assert_eq!(markdown::render(&record), read("VALIDATION.md"));
+    assert_eq!(junit::render(&record).unwrap(), read("junit.xml"));
+
+    // The checked-in report is that of today.
+    let checked_in = Path::new(env!("CARGO_MANIFEST_DIR")).join("../VALIDATION.md");
+    assert!(
+        fs::read_to_string(checked_in).unwrap() == read("VALIDATION.md"),
+        "VALIDATION.md is stale: run `cargo run --release -- verify`, read the difference, and copy \
+         target/verification/VALIDATION.md over it"
+    );
+}
+
+#[test]
+fn a_stale_report_is_told_by_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let stale = folder.path().join("stale.md");
+    fs::write(&stale, "# Validation of crossfibre 0.0.0\n").unwrap();
+    let assert = verify(&["--compare", "stale.md"], folder.path()).code(2);
+    let message = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    assert!(message.contains("stale.md is stale from line 1 on"), "{message}");
+}
+
+#[test]
+fn a_filter_runs_the_cases_of_that_name_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = stdout(&verify(&["--filter", "identity"], folder.path()).success());
+    let count = text.lines().filter(|line| line.starts_with("ok     identity.")).count();
+    assert_eq!(count, text.lines().count());
+    assert!(count >= 4);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_filter_that_names_no_case_is_bad_usage() {
+    let folder = tempfile::tempdir().unwrap();
+    let assert = verify(&["--filter", "smit.plateau"], folder.path()).code(1);
+    let message = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    assert!(message.contains("no case has `smit.plateau` in its name"), "{message}");
+}
+
+#[test]
+fn the_list_names_every_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = stdout(&verify(&["--list"], folder.path()).success());
+    for case in crossfibre_verification::cases::all() {
+        assert!(text.contains(case.id), "{text}");
+    }
+}
