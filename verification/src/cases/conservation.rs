@@ -1,13 +1,13 @@
 //! Energy and momentum of the whole system.
 
 use crossfibre::corrected::{Corrected, Incremental};
-use crossfibre::errata::Corrections;
+use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::march;
 use crossfibre::paper::{Paper, Printed, magnitude};
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
-use super::support::{check, marched, measured_by, order, refined, shipped};
+use super::support::{check, kinked, marched, measured_by, order, refined, shipped};
 use super::{Bound, Case, Check};
 
 /// The cases of this file.
@@ -25,13 +25,19 @@ pub const CASES: &[Case] = &[
         run: incremental,
     },
     Case {
+        id: "energy.kink",
+        title: "Energy and momentum when the kink has passed the crossover",
+        equations: &[9, 10, 11, 12, 13, 15, 16, 17, 18],
+        run: kink,
+    },
+    Case {
         id: "energy.printed",
         title: "The printed coupling makes energy",
         equations: &[16, 17, 18],
         run: printed,
     },
     Case {
-        id: "momentum",
+        id: "momentum.fig3",
         title: "Momentum balance of Fig. 3, and (1) at every node",
         equations: &[1, 2, 17, 18],
         run: momentum,
@@ -101,6 +107,58 @@ fn incremental() -> Vec<Check> {
             ]
         })
         .collect()
+}
+
+fn kink() -> Vec<Check> {
+    let engineering = || measured_by(Strain::Engineering, kinked());
+    let [coarse, fine] = [1, 16].map(|factor| residual(engineering(), factor));
+    let without = |erratum| {
+        let corrections = Corrections::ALL.without(erratum);
+        residual(Scene { corrections, ..engineering() }, 1).abs()
+    };
+    let momentum = marched(refined(kinked(), 4)).balance.momentum;
+    vec![
+        check(
+            "Energy is conserved while the crossover is swept sideways",
+            ENERGY,
+            NORM,
+            coarse.abs(),
+            Bound::AtMost(5e-4),
+            "fronts of one element, as without the kink",
+        ),
+        check(
+            "The residual vanishes with the element",
+            ENERGY,
+            "observed order over a factor of 16",
+            order(coarse, fine, 16.0),
+            Bound::Within(0.8, 1.2),
+            "the number of elements in a front is constant: order one",
+        ),
+        check(
+            "So is momentum",
+            "second law for the whole system",
+            "residual over the impulse of the drive, 0.5 mm",
+            (momentum.residual / momentum.drive).abs(),
+            Bound::AtMost(2e-15),
+            "rounding: (2), (17) and (18) telescope over both fibres at α_s = 1",
+        ),
+        check(
+            "With the sign of (17) as printed energy is not conserved",
+            ENERGY,
+            NORM,
+            without(Erratum::PerpendicularSign),
+            Bound::AtLeast(1e-2),
+            "the normal force acts along x the wrong way",
+        ),
+        check(
+            "Nor with (16) as printed",
+            ENERGY,
+            NORM,
+            without(Erratum::PerpendicularResolution),
+            Bound::AtLeast(5e-2),
+            "the normal force is not the normal component",
+        ),
+    ]
 }
 
 fn printed() -> Vec<Check> {

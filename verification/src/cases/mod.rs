@@ -7,6 +7,7 @@ mod axial;
 mod conservation;
 mod courant;
 pub mod crossover;
+mod golden;
 mod identities;
 pub mod invariance;
 mod projectile;
@@ -103,6 +104,7 @@ pub fn all() -> Vec<Case> {
         conservation::CASES,
         identities::CASES,
         invariance::CASES,
+        golden::CASES,
     ]
     .concat()
 }

@@ -47,6 +47,15 @@ pub fn with_slide_factor(slide_factor: f64) -> Scene {
     scene
 }
 
+/// Fig. 3 with the crossover so near to the impact that the kink passes it.
+pub fn kinked() -> Scene {
+    let mut scene = shipped("fig3");
+    if let Some(secondary) = &mut scene.secondary {
+        secondary.at = 0.012;
+    }
+    scene
+}
+
 /// A scene on a mesh `factor` times as fine.
 pub fn refined(mut scene: Scene, factor: usize) -> Scene {
     scene.primary.elements *= factor;
