@@ -218,7 +218,7 @@ impl RunResult {
             crossover: state.crossover.as_ref().map(|c| CrossoverResult {
                 node: c.node,
                 moves: c.moves,
-                distance: c.distance_to(&state.primary, c.node).to_f64(),
+                distance: c.distance(&state.primary).to_f64(),
             }),
             balance,
             counts: Counts::of(scene.strain, &state.work),

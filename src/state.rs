@@ -236,23 +236,29 @@ impl<S: Number> Crossover<S> {
     /// The node of the primary nearest to the secondary's first node; the lowest of equals.
     ///
     /// Searched among the nodes that have moved and the next: before the front reaches `ix` neither
-    /// fibre has moved there, and afterwards the nearest node is not ahead of the front.
+    /// fibre has moved there, and afterwards the nearest node is not ahead of the front. At
+    /// α_s = 1 there is no slip, "no sliding when set to 1", and so no search.
     pub fn nearest_node(&self, primary: &FibreState<S, 2>) -> usize {
-        if primary.visited < self.node {
+        if primary.visited < self.node || self.slide_factor == S::one() {
             return self.node;
         }
-        let candidates = 0..=(primary.visited + 1).min(primary.elements());
-        let first = (0, self.distance_to(primary, 0));
+        let candidates = 1..=(primary.visited + 1).min(primary.elements());
+        let first = (0, self.square_of_distance(primary, 0));
         let nearer = |nearest: (usize, S), node| {
-            let distance = self.distance_to(primary, node);
-            if distance < nearest.1 { (node, distance) } else { nearest }
+            let square = self.square_of_distance(primary, node);
+            if square < nearest.1 { (node, square) } else { nearest }
         };
-        candidates.skip(1).fold(first, nearer).0
+        candidates.fold(first, nearer).0
     }
 
-    /// Distance of the secondary's first node from a node of the primary, m.
-    pub fn distance_to(&self, primary: &FibreState<S, 2>, node: usize) -> S {
+    /// Distance of the secondary's first node from `ix`, m (ledger `slip-drift`).
+    pub fn distance(&self, primary: &FibreState<S, 2>) -> S {
+        self.square_of_distance(primary, self.node).sqrt()
+    }
+
+    fn square_of_distance(&self, primary: &FibreState<S, 2>, node: usize) -> S {
         let (first, p) = (self.fibre.position[0], primary.position[node]);
-        magnitude(Vector::<S, 3>::new(p.x - first.x, p.y - first.y, -first.z))
+        let apart = Vector::<S, 3>::new(p.x - first.x, p.y - first.y, -first.z);
+        apart.dot(&apart)
     }
 }

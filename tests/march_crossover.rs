@@ -108,7 +108,7 @@ fn a_crossover_that_cannot_slide_stays_at_its_node() {
     let crossover = state.crossover.unwrap();
     assert_eq!((crossover.node, crossover.moves), (50, 0));
     // cos² + sin² is 1 within a unit or two, of ways that sum to 3 mm in 100 steps.
-    let distance = crossover.distance_to(&state.primary, 50);
+    let distance = crossover.distance(&state.primary);
     assert!(distance < 1e-15, "{distance:e} m");
     // It has been carried inward.
     assert!(state.primary.position[50].x < 0.0999);

@@ -1,5 +1,6 @@
 //! The `crossfibre` command: runs, traces, plans and verifies the reference.
 
+pub mod bits;
 pub mod cases;
 pub mod claims;
 pub mod command;

@@ -15,6 +15,7 @@ use crossfibre::{corrected::Corrected, corrected::Incremental, march};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::bits::fnv;
 use crate::cases::support::{SCENES, shipped};
 use crate::cases::{Case, Check, Verdict};
 use crate::claims::{self, Claim};
@@ -136,7 +137,7 @@ impl Record {
             .map(|(name, text)| SceneDigest {
                 name: (*name).into(),
                 title: shipped(name).title,
-                digest: format!("{:016x}", fnv(text.as_bytes())),
+                digest: format!("{:016x}", fnv(text.bytes())),
             })
             .collect();
         let ledger = LEDGER
@@ -189,13 +190,6 @@ impl Record {
             (all + 1, passed + usize::from(c.verdict == Verdict::Passed))
         })
     }
-}
-
-/// FNV-1a, 64 bits: enough to see that a scene has changed; nothing here is secret.
-fn fnv(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 /// The scene of Fig. 3 on a mesh so coarse that a person can follow it.

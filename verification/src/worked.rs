@@ -13,6 +13,7 @@ use crossfibre::scene::{Scene, Strain};
 use crossfibre::trace::{Event, Sink, Value};
 use crossfibre::trace_file::Filter;
 
+use crate::bits::ulps;
 use evaluate::{AXES, Known, Quantity, Step, work_out};
 
 /// Writes the kept events worked by hand, counts them and those that do not come out the same.
@@ -246,26 +247,9 @@ impl Verdict {
     }
 }
 
-/// How many steps from double to double two numbers are apart.
-fn ulps(a: f64, b: f64) -> u64 {
-    let order = |x: f64| {
-        let bits = x.to_bits().cast_signed();
-        if bits < 0 { i64::MIN - bits } else { bits }
-    };
-    order(a).abs_diff(order(b))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ulps_count_doubles_through_zero() {
-        let least = f64::from_bits(1);
-        assert_eq!(ulps(least, -least), 2);
-        assert_eq!(ulps(0.3, 0.1 + 0.2), 1);
-        assert_eq!(ulps(0.0, -0.0), 0);
-    }
 
     #[test]
     fn a_value_that_the_lines_do_not_give_is_wrong() {

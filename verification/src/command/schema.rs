@@ -11,6 +11,7 @@ use crossfibre::scene::Scene;
 use schemars::schema_for;
 
 use crate::exit::Exit;
+use crate::golden::file::VectorFile;
 use crate::output::Destination;
 use crate::trace_line::TraceLine;
 
@@ -34,6 +35,8 @@ enum Format {
     Trace,
     /// What `plan --json` writes: crossfibre-plan/1
     Plan,
+    /// A file of golden vectors, written by `vectors --bless`: crossfibre-vectors/1
+    Vectors,
 }
 
 pub fn run(args: &Args) -> Result<Exit> {
@@ -42,6 +45,7 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Result => schema_for!(RunResult),
         Format::Trace => schema_for!(TraceLine),
         Format::Plan => schema_for!(Plan),
+        Format::Vectors => schema_for!(VectorFile),
     };
     let mut out = Destination::of(args.output.as_deref())?.open()?;
     serde_json::to_writer_pretty(&mut out, &schema).map_err(std::io::Error::from)?;

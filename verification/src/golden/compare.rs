@@ -7,6 +7,7 @@ use serde_json::Value as Json;
 
 use super::file::Provenance;
 use super::{FILES, Recomputed, TRACE, Text};
+use crate::bits::ulps;
 
 /// One number, word or vector that is not what is stored.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,15 +178,6 @@ fn shown(json: Option<&Json>) -> String {
         Some(Json::Object(_) | Json::Array(_)) => "something".into(),
         Some(leaf) => leaf.to_string(),
     }
-}
-
-/// How many steps from double to double two numbers are apart; −0 is 0.
-fn ulps(a: f64, b: f64) -> u64 {
-    let order = |x: f64| {
-        let bits = x.to_bits().cast_signed();
-        if bits < 0 { i64::MIN - bits } else { bits }
-    };
-    order(a).abs_diff(order(b))
 }
 
 #[cfg(test)]

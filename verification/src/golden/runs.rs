@@ -1,5 +1,6 @@
 //! Vectors of whole runs: the shipped scenes.
 
+use crate::bits::fnv;
 use std::collections::BTreeMap;
 
 use crossfibre::balance::Balance;
@@ -159,24 +160,9 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
     (0..SHOWN).map(move |k| k * (count - 1) / (SHOWN - 1))
 }
 
-/// FNV-1a, 64 bits.
-fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Published values of FNV-1a: of nothing, of "a" and of "foobar".
-    #[test]
-    fn the_digest_is_fnv_1a() {
-        assert_eq!(fnv("".bytes()), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv("a".bytes()), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv("foobar".bytes()), 0x8594_4171_f739_67e8);
-    }
 
     #[test]
     fn samples_run_from_end_to_end() {
