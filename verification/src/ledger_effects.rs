@@ -13,9 +13,10 @@ use serde::{Deserialize, Serialize};
 use crate::cases::crossover::{exact_coefficients, measured, sideways};
 use crate::cases::invariance::moved_along;
 use crate::cases::support::{
-    Marched, component, exact_crossover, exact_single, kinked, marched, measured_by, refined,
-    shipped, with_slide_factor,
+    Marched, exact_crossover, exact_single, kinked, marched, measured_by, refined, shipped,
+    with_slide_factor,
 };
+use crate::closed_form::component;
 
 /// Times that the mesh of Fig. 3 is refined for the table: 0.25 mm.
 const REFINED: usize = 8;

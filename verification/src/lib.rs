@@ -3,6 +3,7 @@
 pub mod bits;
 pub mod cases;
 pub mod claims;
+pub mod closed_form;
 pub mod command;
 pub mod exit;
 pub mod golden;

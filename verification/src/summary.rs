@@ -13,7 +13,8 @@ use crossfibre::place::Fibre;
 use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 
-use exact::{Exact, law};
+use crate::closed_form::law;
+use exact::Exact;
 use table::OneFibre;
 use text::{mm, significant, write_note};
 

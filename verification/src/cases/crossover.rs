@@ -5,9 +5,10 @@ use crossfibre::exact::crossover::Coefficients;
 use crossfibre::scene::{Scene, Strain};
 
 use super::support::{
-    Marched, check, component, exact_crossover, marched, measured_by, refined, relative, shipped,
+    Marched, check, exact_crossover, marched, measured_by, refined, relative, shipped,
 };
 use super::{Bound, Case, Check};
+use crate::closed_form::component;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[

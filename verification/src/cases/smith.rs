@@ -3,10 +3,11 @@
 use crossfibre::scene::{Scene, Strain};
 
 use super::support::{
-    check, component, exact_primary, exact_single, marched, mean, measured_by, order, refined,
-    relative, shipped,
+    check, exact_primary, exact_single, marched, mean, measured_by, order, refined, relative,
+    shipped,
 };
 use super::{Bound, Case, Check};
+use crate::closed_form::component;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[

@@ -1,7 +1,7 @@
 //! What the cases share: shipped scenes, finished marches, windows and orders.
 
 use crossfibre::exact::crossover::{Crossover, crossover};
-use crossfibre::exact::smith::{Fibre, Law, Smith, Strain as ExactStrain, smith};
+use crossfibre::exact::smith::{Fibre, Smith, smith};
 use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::outcome::Outcome;
@@ -12,6 +12,7 @@ use crossfibre::state::{FibreState, State, Wavefront};
 use crossfibre::{balance::Balance, discretisation::Discretisation, scene_file};
 
 use super::{Bound, Check};
+use crate::closed_form::{self, law};
 
 macro_rules! scenes {
     ($($name:literal),* $(,)?) => {
@@ -70,26 +71,9 @@ pub fn measured_by(strain: Strain, scene: Scene) -> Scene {
     Scene { strain, ..scene }
 }
 
-/// The law that a scene's equations amount to: (4) and (7) are T = E ln λ.
-pub fn law(scene: &Scene) -> Law {
-    match scene.strain {
-        Strain::Incremental => Law::Logarithmic,
-        Strain::Engineering => Law::Engineering,
-    }
-}
-
-/// The component of an exact strain that a scene's measure accumulates.
-pub fn component(scene: &Scene, strain: ExactStrain) -> f64 {
-    match scene.strain {
-        Strain::Incremental => strain.logarithmic,
-        Strain::Engineering => strain.engineering,
-    }
-}
-
 /// The struck fibre for the closed forms.
 pub fn exact_primary(scene: &Scene) -> Fibre {
-    let p = &scene.primary;
-    Fibre { modulus: p.material.instantaneous_modulus(), density: p.density, area: p.area }
+    closed_form::primary(&scene.primary)
 }
 
 /// Smith's solution for a scene.
@@ -101,8 +85,7 @@ pub fn exact_single(scene: &Scene) -> Smith {
 /// The exact state around the crossover of a scene.
 pub fn exact_crossover(scene: &Scene) -> Crossover {
     let s = scene.secondary.as_ref().expect("the scene has a secondary");
-    let modulus = s.material.instantaneous_modulus();
-    let secondary = Fibre { modulus, density: s.density, area: s.area };
+    let secondary = closed_form::secondary(s);
     let primary = exact_primary(scene);
     crossover(law(scene), &primary, &secondary, s.slide_factor, scene.projectile.velocity)
         .expect("the scene is in the range of the closed form")

@@ -4,9 +4,11 @@
 //! secondary. Where a closed form does not hold, or no longer, a note says why.
 
 use crossfibre::exact::crossover::crossover;
-use crossfibre::exact::smith::{self, Law, Smith, smith};
+use crossfibre::exact::smith::{self, Smith, smith};
 use crossfibre::place::Fibre;
-use crossfibre::scene::{Primary, Scene, Secondary, Strain};
+use crossfibre::scene::{Scene, Secondary};
+
+use crate::closed_form::{self, component, law};
 
 /// A stretch of fibre that the exact solution strains uniformly.
 #[derive(Debug, PartialEq)]
@@ -33,14 +35,6 @@ pub struct Exact {
     pub notes: Vec<String>,
 }
 
-/// The law that a scene's equations amount to: (4) and (7) are T = E ln λ.
-pub fn law(scene: &Scene) -> Law {
-    match scene.strain {
-        Strain::Incremental => Law::Logarithmic,
-        Strain::Engineering => Law::Engineering,
-    }
-}
-
 impl Exact {
     /// The closed forms of a scene, `time` seconds after impact.
     pub fn of(scene: &Scene, time: f64) -> Self {
@@ -59,7 +53,7 @@ impl Exact {
                 .into());
         }
         let (law, velocity) = (law(scene), scene.projectile.velocity);
-        let primary = exact_primary(&scene.primary);
+        let primary = closed_form::primary(&scene.primary);
         let struck = |fibre: &smith::Fibre| {
             smith(law, fibre.wave_speed(), velocity).map_err(|e| format!("no exact strain: {e}"))
         };
@@ -68,7 +62,7 @@ impl Exact {
         self.kink = Some(impact.kink_speed_lagrangian * time);
         match &scene.secondary {
             Some(secondary) if secondary.at == 0.0 => {
-                let other = struck(&exact_secondary(secondary))?;
+                let other = struck(&closed_form::secondary(secondary))?;
                 before_clamp("secondary", other.front_speed, time, 0.0, secondary.length)?;
                 self.push(
                     scene,
@@ -142,7 +136,7 @@ impl Exact {
                 micro(back)
             ));
         }
-        let fibres = (exact_primary(&scene.primary), exact_secondary(secondary));
+        let fibres = (closed_form::primary(&scene.primary), closed_form::secondary(secondary));
         let around = crossover(
             law(scene),
             &fibres.0,
@@ -155,7 +149,7 @@ impl Exact {
         let arm = &around.diverted;
         before_clamp("secondary", arm.front_speed, since, at / c, secondary.length)?;
         let mut push = |fibre, what, (from, to), strain| {
-            self.plateaus.push(Plateau { what, fibre, from, to, strain: measured(scene, strain) });
+            self.plateaus.push(Plateau { what, fibre, from, to, strain: component(scene, strain) });
         };
         let (before, beyond) = ((inner_end, at), (at, impact.tail_speed * time));
         push(Fibre::Primary, "strain before crossover", before, around.reflected);
@@ -173,7 +167,7 @@ impl Exact {
         of: &Smith,
     ) {
         let (from, to) = ends;
-        let strain = measured(scene, of.strain);
+        let strain = component(scene, of.strain);
         self.plateaus.push(Plateau { what, fibre, from, to, strain });
     }
 }
@@ -181,14 +175,6 @@ impl Exact {
 /// Kink and end of the longitudinal wave, a time after the impact, m.
 fn waves(impact: &Smith, time: f64) -> (f64, f64) {
     (impact.kink_speed_lagrangian * time, impact.tail_speed * time)
-}
-
-/// The component of a strain that the scene's measure accumulates.
-fn measured(scene: &Scene, strain: smith::Strain) -> f64 {
-    match law(scene) {
-        Law::Logarithmic => strain.logarithmic,
-        Law::Engineering => strain.engineering,
-    }
 }
 
 /// An error once a front that started at `start` seconds has reached the clamp.
@@ -204,16 +190,6 @@ fn before_clamp(name: &str, c: f64, since: f64, start: f64, length: f64) -> Resu
 
 fn micro(seconds: f64) -> String {
     format!("{:.2}", seconds * 1e6)
-}
-
-fn exact_primary(fibre: &Primary) -> smith::Fibre {
-    let modulus = fibre.material.instantaneous_modulus();
-    smith::Fibre { modulus, density: fibre.density, area: fibre.area }
-}
-
-fn exact_secondary(fibre: &Secondary) -> smith::Fibre {
-    let modulus = fibre.material.instantaneous_modulus();
-    smith::Fibre { modulus, density: fibre.density, area: fibre.area }
 }
 
 #[cfg(test)]
