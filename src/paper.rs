@@ -341,3 +341,30 @@ pub fn magnitude<S: Number, const D: usize>(v: Vector<S, D>) -> S {
 pub struct Printed;
 
 impl<S: Number> Paper<S> for Printed {}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_abs_diff_eq;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn vector() -> impl Strategy<Value = Vector<f64, 3>> {
+        prop::array::uniform3(-977.0..977.0).prop_map(Into::into)
+    }
+
+    proptest! {
+        /// (2) is (1) solved: put back into it, nothing is left but the rounding of a velocity of up
+        /// to 1e3 + 2e3 A, times Δm/Δt = 1/A, a few units of 2.2e-16.
+        #[test]
+        fn the_solved_form_satisfies_the_balance(
+            before in vector(), ahead in vector(), here in vector(), a in 1e-3..1e3_f64,
+        ) {
+            let paper = &Printed;
+            let v = paper.eqn_2_velocity(before, a, ahead, here);
+            let residual = paper.eqn_1_impulse_residual(ahead, here, 1.0 / a, v, before);
+            let rounding = 8.0 * f64::EPSILON * (2e3 + 1e3 / a);
+            assert_abs_diff_eq!(residual, Vector::zeros(), epsilon = rounding);
+        }
+    }
+}
