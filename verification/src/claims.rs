@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::cases::crossover::{exact_coefficients, measured};
 use crate::cases::support::{
-    different_bits, exact_single, marched, mean, measured_by, refined, relative, shipped,
+    different_bits, exact_single, marched, measured_by, refined, relative, shipped,
 };
 use crate::cases::{self, Verdict};
 
@@ -66,9 +66,7 @@ fn strain_line() -> Claim {
     let log = 100.0 * exact_single(&scene).strain.logarithmic;
     let engineering = measured_by(Strain::Engineering, scene.clone());
     let engineering = 100.0 * exact_single(&engineering).strain.engineering;
-    let run = marched(scene);
-    let n = run.state.primary.elements();
-    let marched = 100.0 * run.primary_strain(0.3 * n as f64 / 600.0, 0.45 * n as f64 / 600.0);
+    let marched = 100.0 * marched(scene).primary_strain(0.075, 0.1125);
     claim(
         "A single fibre struck at 400 m/s is strained by 1.45 % (dotted line of Fig. 3)",
         (engineering - 1.45).abs() < 0.01,
@@ -223,11 +221,7 @@ fn accuracy() -> Claim {
         let mut scene = measured_by(Strain::Engineering, refined(shipped("single-400"), 4));
         scene.courant = courant;
         let exact = exact_single(&scene).strain.engineering;
-        let run = marched(scene);
-        let fibre = &run.state.primary;
-        let squares: Vec<f64> =
-            fibre.strain.iter().map(|e| (e / exact - 1.0) * (e / exact - 1.0)).collect();
-        100.0 * mean(fibre, &squares, 0.1, 0.19).sqrt()
+        100.0 * marched(scene).oscillation(exact, 0.1, 0.19)
     };
     let [one, nine, half] = [1.0, 0.9, 0.5].map(oscillation);
     claim(

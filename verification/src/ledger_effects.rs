@@ -1,6 +1,7 @@
 //! What each departure from the page does, measured: alone, left out, and together.
 
 use crossfibre::corrected::{Corrected, Incremental};
+use crossfibre::discretisation::Discretisation;
 use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::march;
 use crossfibre::number::Number;
@@ -14,7 +15,7 @@ use crate::cases::crossover::{exact_coefficients, measured, sideways};
 use crate::cases::invariance::moved_along;
 use crate::cases::support::{
     Marched, exact_crossover, exact_single, kinked, marched, measured_by, refined, shipped,
-    with_slide_factor,
+    sliding_by,
 };
 use crate::closed_form::component;
 
@@ -250,7 +251,7 @@ fn time_level() -> String {
 fn marched_with_tension_now(scene: Scene) -> Marched {
     let paper = Corrected::<Incremental>::new(scene.corrections);
     let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
-    let steps = marched(scene.clone()).state.step;
+    let steps = Discretisation::<f64>::of(&scene).steps(scene.duration);
     let first = |state: &State<f64>| {
         state.crossover.as_ref().map_or(0.0, |crossover| crossover.fibre.tension[0])
     };
@@ -298,8 +299,8 @@ fn slide_frame() -> String {
     format!(
         "Fig. 3 with α_s = 0.73, carried along at 136 m/s with its clamps: a node ends {:.1e} of an \
          element away from where it should be; with α_s = 1, {:.0e}.",
-        moved_along(with_slide_factor(0.73)),
-        moved_along(with_slide_factor(1.0))
+        moved_along(sliding_by(0.73, shipped("fig3"))),
+        moved_along(sliding_by(1.0, shipped("fig3")))
     )
 }
 

@@ -7,7 +7,6 @@ use std::time::Instant;
 
 use crossfibre::errata::LEDGER;
 use crossfibre::place::Fibre;
-use crossfibre::scene::Scene;
 use crossfibre::state::{State, Wavefront};
 use crossfibre::trace::Traced;
 use crossfibre::trace_file::Filter;
@@ -16,7 +15,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::bits::fnv;
-use crate::cases::support::{SCENES, shipped};
+use crate::cases::support::{SCENES, coarse_fig3, shipped};
 use crate::cases::{Case, Check, Verdict};
 use crate::claims::{self, Claim};
 use crate::ledger_effects::{self, Effects};
@@ -190,16 +189,6 @@ impl Record {
             (all + 1, passed + usize::from(c.verdict == Verdict::Passed))
         })
     }
-}
-
-/// The scene of Fig. 3 on a mesh so coarse that a person can follow it.
-fn coarse_fig3() -> Scene {
-    let mut scene = shipped("fig3");
-    scene.primary.elements = 6;
-    if let Some(secondary) = &mut scene.secondary {
-        secondary.elements = 4;
-    }
-    scene
 }
 
 /// The crossover's node of a coarse Fig. 3 in the step after the wave has entered the secondary, and

@@ -7,7 +7,7 @@ use crossfibre::paper::{Paper, Printed, magnitude};
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
-use super::support::{check, kinked, marched, measured_by, order, refined, shipped};
+use super::support::{check, kinked, marched, measured_by, order, refined, shipped, sliding_by};
 use super::{Bound, Case, Check};
 
 /// The cases of this file.
@@ -117,11 +117,7 @@ fn kink() -> Vec<Check> {
         residual(Scene { corrections, ..engineering() }, 1).abs()
     };
     let momentum = |slide_factor| {
-        let mut scene = refined(kinked(), 4);
-        if let Some(secondary) = &mut scene.secondary {
-            secondary.slide_factor = slide_factor;
-        }
-        let momentum = marched(scene).balance.momentum;
+        let momentum = marched(sliding_by(slide_factor, refined(kinked(), 4))).balance.momentum;
         (momentum.residual / momentum.drive).abs()
     };
     vec![

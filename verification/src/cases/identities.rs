@@ -4,9 +4,7 @@ use crossfibre::errata::Corrections;
 use crossfibre::scene::Scene;
 use crossfibre::state::{FibreState, State, Wavefront};
 
-use super::support::{
-    check, different_bits, marched, marched_from, shipped, watched, with_slide_factor,
-};
+use super::support::{check, different_bits, marched, marched_from, shipped, sliding_by, watched};
 use super::{Bound, Case, Check};
 
 /// The cases of this file.
@@ -77,7 +75,7 @@ fn both_at_origin() -> Vec<Check> {
 
 fn free_sliding() -> Vec<Check> {
     let single = marched(shipped("single-400"));
-    let crossed = |corrections| marched(Scene { corrections, ..with_slide_factor(0.0) });
+    let crossed = |corrections| marched(Scene { corrections, ..sliding_by(0.0, shipped("fig3")) });
     let single = &single.state.primary;
     let corrected = crossed(Corrections::ALL);
     let corrected = &corrected.state.primary;

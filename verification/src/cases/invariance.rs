@@ -5,7 +5,7 @@ use crossfibre::number::{Number, Vector};
 use crossfibre::scene::{Material, Scene};
 use crossfibre::state::{State, Wavefront};
 
-use super::support::{Marched, check, kinked, marched, marched_from, shipped, with_slide_factor};
+use super::support::{Marched, check, kinked, marched, marched_from, shipped, sliding_by};
 use super::{Bound, Case, Check};
 
 /// The cases of this file.
@@ -172,7 +172,7 @@ fn galilean() -> Vec<Check> {
         "With α_s = 0.73 it does not",
         "principle of relativity",
         norm,
-        moved_along(with_slide_factor(0.73)),
+        moved_along(sliding_by(0.73, shipped("fig3"))),
         Bound::AtLeast(2e-3),
         "ledger slide-frame: α_s multiplies a velocity over ground, as the page has it",
     ));

@@ -58,13 +58,10 @@ fn departure(scene: Scene) -> Departure {
     let (from, to) = window(&scene);
     let exact = component(&scene, exact_single(&scene).strain);
     let run = marched(scene);
-    let fibre = &run.state.primary;
-    let squares: Vec<f64> =
-        fibre.strain.iter().map(|e| (e / exact - 1.0) * (e / exact - 1.0)).collect();
     let result_is_finite = run.balance.energy.relative_residual().abs() < 1.0;
     Departure {
-        mean: (mean(fibre, &fibre.strain, from, to) / exact - 1.0).abs(),
-        root_mean_square: mean(fibre, &squares, from, to).sqrt(),
+        mean: (run.primary_strain(from, to) / exact - 1.0).abs(),
+        root_mean_square: run.oscillation(exact, from, to),
         completed: run.outcome.is_completed() && result_is_finite,
     }
 }
@@ -236,7 +233,7 @@ fn kink() -> Vec<Check> {
         // The middle of the flank moves at half the speed of its foot.
         let foot = 2.0 * (above.x + part * (below.x - above.x)) / time;
         let u: Vec<f64> = fibre.velocity.iter().map(|v| v.x).collect();
-        let inflow = -mean(fibre, &u[1..], from, to);
+        let inflow = -mean(fibre.properties.spacing, &u[1..], from, to);
         (relative(foot, smith.kink_speed), relative(inflow, smith.inflow_velocity))
     };
     let (coarse, fine) = (measure(4), measure(16));

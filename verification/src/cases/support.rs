@@ -7,7 +7,7 @@ use crossfibre::number::Number;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
 use crossfibre::result::{WithPaper, with_paper};
-use crossfibre::scene::{Scene, Strain};
+use crossfibre::scene::{Scene, Secondary, Strain};
 use crossfibre::state::{FibreState, State, Wavefront};
 use crossfibre::{balance::Balance, discretisation::Discretisation, scene_file};
 
@@ -39,31 +39,35 @@ pub fn shipped(name: &str) -> Scene {
     scene_file::read(text).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 
-/// Fig. 3 with another slide factor.
-pub fn with_slide_factor(slide_factor: f64) -> Scene {
-    let mut scene = shipped("fig3");
+/// A scene whose secondary fibre, if it has one, is changed.
+fn with_secondary(mut scene: Scene, change: impl FnOnce(&mut Secondary)) -> Scene {
     if let Some(secondary) = &mut scene.secondary {
-        secondary.slide_factor = slide_factor;
+        change(secondary);
     }
     scene
 }
 
+/// A scene with another slide factor.
+pub fn sliding_by(slide_factor: f64, scene: Scene) -> Scene {
+    with_secondary(scene, |secondary| secondary.slide_factor = slide_factor)
+}
+
 /// Fig. 3 with the crossover so near to the impact that the kink passes it.
 pub fn kinked() -> Scene {
+    with_secondary(shipped("fig3"), |secondary| secondary.at = 0.012)
+}
+
+/// Fig. 3 on a mesh so coarse that a person can follow it.
+pub fn coarse_fig3() -> Scene {
     let mut scene = shipped("fig3");
-    if let Some(secondary) = &mut scene.secondary {
-        secondary.at = 0.012;
-    }
-    scene
+    scene.primary.elements = 6;
+    with_secondary(scene, |secondary| secondary.elements = 4)
 }
 
 /// A scene on a mesh `factor` times as fine.
 pub fn refined(mut scene: Scene, factor: usize) -> Scene {
     scene.primary.elements *= factor;
-    if let Some(secondary) = &mut scene.secondary {
-        secondary.elements *= factor;
-    }
-    scene
+    with_secondary(scene, |secondary| secondary.elements *= factor)
 }
 
 /// A scene with another measure of strain.
@@ -141,19 +145,27 @@ pub fn watched(
 impl Marched {
     /// Mean strain of the primary between two Lagrangian distances, m.
     pub fn primary_strain(&self, from: f64, to: f64) -> f64 {
-        mean(&self.state.primary, &self.state.primary.strain, from, to)
+        let fibre = &self.state.primary;
+        mean(fibre.properties.spacing, &fibre.strain, from, to)
+    }
+
+    /// Root mean square of the primary's strain over an exact one, less 1, between two distances, m.
+    pub fn oscillation(&self, exact: f64, from: f64, to: f64) -> f64 {
+        let fibre = &self.state.primary;
+        let squares: Vec<f64> =
+            fibre.strain.iter().map(|e| (e / exact - 1.0) * (e / exact - 1.0)).collect();
+        mean(fibre.properties.spacing, &squares, from, to).sqrt()
     }
 
     /// Mean strain of the secondary between two Lagrangian distances, m.
     pub fn secondary_strain(&self, from: f64, to: f64) -> f64 {
         let fibre = &self.state.crossover.as_ref().expect("the scene has a secondary").fibre;
-        mean(fibre, &fibre.strain, from, to)
+        mean(fibre.properties.spacing, &fibre.strain, from, to)
     }
 }
 
-/// Mean of an element's quantity over the elements whose middle lies between two distances.
-pub fn mean<const D: usize>(fibre: &FibreState<f64, D>, of: &[f64], from: f64, to: f64) -> f64 {
-    let dx = fibre.properties.spacing;
+/// Mean of a quantity of elements of length `dx` over those whose middle lies between two distances.
+pub fn mean(dx: f64, of: &[f64], from: f64, to: f64) -> f64 {
     let inside = of.iter().enumerate().filter_map(|(i, &x)| {
         let middle = (i as f64 + 0.5) * dx;
         (from <= middle && middle <= to).then_some(x)

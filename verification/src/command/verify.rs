@@ -1,11 +1,11 @@
 //! `crossfibre verify`: runs the checks, says what came of them, and writes the reports.
 
 use std::fs;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 
 use anyhow::{Context, Result, bail};
+use indicatif::ProgressBar;
 
 use crate::cases::{self, Verdict};
 use crate::exit::{Exit, say};
@@ -50,12 +50,10 @@ pub fn run(args: &Args) -> Result<Exit> {
         }
         return Ok(Exit::Well);
     }
-    let bar = progress(chosen.len(), args.json);
-    let records = run_cases(&chosen, |case| {
-        bar.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).set_message(case.id.clone());
-        bar.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).inc(1);
-    });
-    bar.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).finish_and_clear();
+    // Drawn on standard error, and only if that is a terminal.
+    let bar = ProgressBar::new(chosen.len() as u64);
+    let records = run_cases(&chosen, |_| bar.inc(1));
+    bar.finish_and_clear();
 
     let troubles = records.iter().flat_map(CaseRecord::troubles).count();
     if !args.json {
@@ -82,16 +80,6 @@ pub fn run(args: &Args) -> Result<Exit> {
         None => false,
     };
     Ok(if troubles == 0 && !stale { Exit::Well } else { Exit::CheckFailed })
-}
-
-/// A bar over the cases, on a terminal only.
-fn progress(cases: usize, quiet: bool) -> Mutex<indicatif::ProgressBar> {
-    let bar = if quiet || !io::stderr().is_terminal() {
-        indicatif::ProgressBar::hidden()
-    } else {
-        indicatif::ProgressBar::new(cases as u64)
-    };
-    Mutex::new(bar)
 }
 
 /// One line a case; each check that did not pass with what to look at.

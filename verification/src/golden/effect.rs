@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::runs::RunVector;
 use crate::cases::crossover::measured;
-use crate::cases::support::{exact_single, marched};
+use crate::cases::support::{exact_single, marched, mean};
 
 /// What a scene amounts to, in a few numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -73,12 +73,7 @@ fn plateau(scene: &Scene, result: &RunResult) -> f64 {
     let front = (exact.front_speed * result.time).min(scene.primary.length);
     let quarter = (front - kink) / 4.0;
     let dx = scene.primary.length / scene.primary.elements as f64;
-    let strain = &result.primary.strain;
-    let inside: Vec<_> = (0..strain.len())
-        .filter(|&i| (kink + quarter..=front - quarter).contains(&((i as f64 + 0.5) * dx)))
-        .map(|i| strain[i])
-        .collect();
-    inside.iter().sum::<f64>() / inside.len() as f64
+    mean(dx, &result.primary.strain, kink + quarter, front - quarter)
 }
 
 /// What the scenes gave before, and what they give now. Displays as a table.

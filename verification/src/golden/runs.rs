@@ -1,6 +1,5 @@
 //! Vectors of whole runs: the shipped scenes.
 
-use crate::bits::fnv;
 use std::collections::BTreeMap;
 
 use crossfibre::balance::Balance;
@@ -11,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::effect::Effect;
 use super::file::Flag;
+use crate::bits::fnv;
 use crate::cases::support::{SCENES, shipped};
 
 /// A run of a shipped scene.

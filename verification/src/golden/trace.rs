@@ -8,19 +8,10 @@ use crossfibre::state::{State, Wavefront};
 use crossfibre::trace::Traced;
 use crossfibre::trace_file::{Filter, JsonLines};
 
-use crate::cases::support::shipped;
+use crate::cases::support::coarse_fig3;
 
 /// Steps traced: in the third the wave is at the crossover, in the fourth in the secondary.
 const STEPS: u64 = 4;
-
-fn scene() -> Scene {
-    let mut scene = shipped("fig3");
-    scene.primary.elements = 6;
-    if let Some(secondary) = &mut scene.secondary {
-        secondary.elements = 4;
-    }
-    scene
-}
 
 /// The trace, as `crossfibre trace --step 1..4` writes it.
 pub fn text() -> String {
@@ -38,6 +29,6 @@ pub fn text() -> String {
             text
         }
     }
-    let scene = scene();
+    let scene = coarse_fig3();
     String::from_utf8(with_paper(&scene, Write(&scene))).expect("JSON is text")
 }
