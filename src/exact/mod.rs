@@ -6,6 +6,7 @@
 //! | module | problem | domain of the solution |
 //! |---|---|---|
 //! | [`hyperelastic`] | the tension laws and their stored energy | stretch > 0 |
+//! | [`elastic`] | what a wave must know of the fibre that it runs on | |
 //! | [`smith`] | transverse impact on one long fibre | until the first reflection comes back |
 //! | [`crossover`] | what a crossing fibre reflects, lets through and diverts | until a wave from the kink returns |
 //! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
@@ -14,6 +15,7 @@
 pub mod crossover;
 pub mod dalembert;
 pub mod dispersion;
+pub mod elastic;
 pub mod hyperelastic;
 pub mod smith;
 
