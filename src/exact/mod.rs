@@ -16,7 +16,9 @@ pub mod crossover;
 pub mod dalembert;
 pub mod dispersion;
 pub mod elastic;
+pub mod fronts;
 pub mod hyperelastic;
+pub mod riemann;
 pub mod smith;
 
 #[cfg(test)]

@@ -1,0 +1,79 @@
+//! The waves that leave a joint along one arm, without those too weak to follow.
+
+use super::material::PiecewiseLinear;
+use crate::exact::riemann::{Arm, State};
+
+/// What moves along a fibre.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// A jump of strain, at the speed of sound.
+    Longitudinal,
+    /// A jump of direction.
+    Kink,
+}
+
+/// A wave that leaves a joint; directions point away from the joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outgoing {
+    /// Lagrangian speed away from the joint, m/s.
+    pub speed: f64,
+    pub family: Family,
+    /// Jump of strain, or jump of velocity over the longitudinal speed.
+    pub strength: f64,
+    /// The state between it and the joint.
+    pub behind: State,
+}
+
+/// The waves of an arm, the foremost first.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Waves {
+    pub kept: Vec<Outgoing>,
+    /// Sum of the strengths of the waves left out.
+    pub dropped: f64,
+    /// Strength of the strongest wave, kept or not.
+    pub strongest: f64,
+}
+
+impl Waves {
+    /// The waves of at least strength `weakest`. Where one is left out, the state ahead of it
+    /// stands for the state behind it up to the next wave kept.
+    pub fn of(material: &impl PiecewiseLinear, arm: &Arm, weakest: f64) -> Self {
+        let mut waves = Self::default();
+        let (mut strain, t) = (arm.ahead.strain, arm.ahead.direction);
+        for (behind, speed) in material.jumps(arm.ahead.strain, arm.between.strain) {
+            let velocity =
+                arm.ahead.velocity - t * material.wave_velocity(arm.ahead.strain, behind);
+            let strength = (behind - strain).abs();
+            let state = State { strain: behind, velocity, ..arm.between };
+            waves.add(
+                Outgoing { speed, family: Family::Longitudinal, strength, behind: state },
+                weakest,
+            );
+            strain = behind;
+        }
+        let strain = arm.between.strain;
+        let turned = (arm.behind.velocity - arm.between.velocity).norm();
+        let kink = Outgoing {
+            speed: material.kink_speed(strain),
+            family: Family::Kink,
+            strength: turned / material.wave_speeds(strain, strain).0,
+            behind: arm.behind,
+        };
+        waves.add(kink, weakest);
+        waves
+    }
+
+    fn add(&mut self, wave: Outgoing, weakest: f64) {
+        self.strongest = self.strongest.max(wave.strength);
+        if wave.strength >= weakest && wave.strength > 0.0 {
+            self.kept.push(wave);
+        } else {
+            self.dropped += wave.strength;
+        }
+    }
+
+    /// The state between the last wave kept and the joint.
+    pub fn at_joint(&self, ahead: State) -> State {
+        self.kept.last().map_or(ahead, |wave| wave.behind)
+    }
+}
