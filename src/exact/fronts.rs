@@ -183,21 +183,18 @@ pub struct Fronts<M> {
     left_out: f64,
     tracks: Option<Vec<Track>>,
     accounts: Accounts,
+    ended: Option<Ended>,
 }
 
-/// The motion up to a time (s), at the finest resolution from 1e-10 on, in factors of ten, that
-/// takes no more than 20000 meetings of fronts.
-pub fn solved<M: PiecewiseLinear + Clone>(
-    problem: &Problem<M>,
-    time: f64,
-) -> Result<Fronts<M>, Ended> {
+/// The motion up to a time (s), or up to where it [ended](Fronts::ended), at the finest resolution
+/// from 1e-10 on, in factors of ten, that takes no more than 20000 meetings of fronts.
+pub fn solved<M: PiecewiseLinear + Clone>(problem: &Problem<M>, time: f64) -> Fronts<M> {
     let mut resolution = 1e-10;
     loop {
-        let mut fronts = Fronts::new(problem, Limits { resolution, events: 20_000 })?;
+        let mut fronts = Fronts::new(problem, Limits { resolution, events: 20_000 });
         match fronts.advance(time) {
-            Ok(()) => return Ok(fronts),
             Err(Ended::TooMany { .. }) if resolution < 1e-3 => resolution *= 10.0,
-            Err(ended) => return Err(ended),
+            _ => return fronts,
         }
     }
 }
@@ -212,7 +209,7 @@ enum Joint {
 
 impl<M: PiecewiseLinear + Clone> Fronts<M> {
     /// The moment of impact.
-    pub fn new(problem: &Problem<M>, limits: Limits) -> Result<Self, Ended> {
+    pub fn new(problem: &Problem<M>, limits: Limits) -> Self {
         let along = |direction| State { strain: 0.0, direction, velocity: Vector3::zeros() };
         let (x, z) = (along(Vector3::x()), along(Vector3::z()));
         let piece = |fibre: &Clamped<M>, offset, length, state| {
@@ -241,9 +238,10 @@ impl<M: PiecewiseLinear + Clone> Fronts<M> {
             left_out: 0.0,
             tracks: None,
             accounts: Accounts::default(),
+            ended: None,
         };
-        fronts.strike(problem.velocity)?;
-        Ok(fronts)
+        fronts.strike(problem.velocity);
+        fronts
     }
 }
 
@@ -254,36 +252,51 @@ impl<M: PiecewiseLinear> Fronts<M> {
     }
 
     /// Gives the projectile another velocity (m/s) from now on.
-    pub fn strike(&mut self, velocity: f64) -> Result<(), Ended> {
+    pub fn strike(&mut self, velocity: f64) {
         self.velocity = Vector3::new(0.0, velocity, 0.0);
         for span in 0..self.spans.len() {
             if self.joint(span, Meeting::Start) == Joint::Projectile {
-                self.held(span, Meeting::Start, self.velocity)?;
+                let held = self.held(span, Meeting::Start, self.velocity);
+                self.ended = self.ended.or(held.err());
             }
         }
-        Ok(())
     }
 
-    /// Goes on to a time, s; what is earlier than [`Fronts::time`] changes nothing.
+    /// Goes on to a time, s, or to where the motion ends; a time that is past changes nothing.
     pub fn advance(&mut self, time: f64) -> Result<(), Ended> {
-        loop {
+        while self.ended.is_none() {
             let (span, (next, meeting)) = self.next();
             if next > time {
                 self.pass(time);
                 return Ok(());
             }
             self.pass(next);
-            if self.events == self.limits.events {
-                return Err(Ended::TooMany { time: self.time, events: self.events });
-            }
-            self.events += 1;
-            match (meeting, self.joint(span, meeting)) {
-                (Meeting::Fronts(index), _) => self.interior(span, index)?,
-                (_, Joint::Projectile) => self.held(span, meeting, self.velocity)?,
-                (_, Joint::Clamp) => self.held(span, meeting, Vector3::zeros())?,
-                (_, Joint::Crossover) => self.crossover()?,
-            }
+            self.ended = self.event(span, meeting).err();
         }
+        self.ended.map_or(Ok(()), Err)
+    }
+
+    fn event(&mut self, span: usize, meeting: Meeting) -> Result<(), Ended> {
+        if self.events == self.limits.events {
+            return Err(Ended::TooMany { time: self.time, events: self.events });
+        }
+        self.events += 1;
+        match (meeting, self.joint(span, meeting)) {
+            (Meeting::Fronts(index), _) => self.interior(span, index),
+            (_, Joint::Projectile) => self.held(span, meeting, self.velocity),
+            (_, Joint::Clamp) => self.held(span, meeting, Vector3::zeros()),
+            (_, Joint::Crossover) => self.crossover(),
+        }
+    }
+
+    /// Why the motion does not go on, if it does not.
+    pub fn ended(&self) -> Option<Ended> {
+        self.ended
+    }
+
+    /// The limits it was solved within.
+    pub fn limits(&self) -> Limits {
+        self.limits
     }
 
     /// The time reached, s.
