@@ -167,6 +167,8 @@ pub struct Accounts {
     pub impulse: Vector3<f64>,
     /// Work of the projectile, J.
     pub work: f64,
+    /// Impulse of all of both fibres against the projectile, N s.
+    pub braking: f64,
 }
 
 /// The motion, solved up to a time.
@@ -186,14 +188,24 @@ pub struct Fronts<M> {
     ended: Option<Ended>,
 }
 
-/// The motion up to a time (s), or up to where it [ended](Fronts::ended), at the finest resolution
-/// from 1e-10 on, in factors of ten, that takes no more than 20000 meetings of fronts.
+/// The motion up to a time (s), or up to where it [ended](Fronts::ended), as [`finest`] resolves it.
 pub fn solved<M: PiecewiseLinear + Clone>(problem: &Problem<M>, time: f64) -> Fronts<M> {
+    finest(|limits| {
+        let mut fronts = Fronts::new(problem, limits);
+        // An early end is kept in the fronts.
+        let _ = fronts.advance(time);
+        fronts
+    })
+}
+
+/// The motion at the finest resolution from 1e-10 on, in factors of ten, that takes no more than
+/// 20000 meetings of fronts.
+pub fn finest<M>(run: impl Fn(Limits) -> Fronts<M>) -> Fronts<M> {
     let mut resolution = 1e-10;
     loop {
-        let mut fronts = Fronts::new(problem, Limits { resolution, events: 20_000 });
-        match fronts.advance(time) {
-            Err(Ended::TooMany { .. }) if resolution < 1e-3 => resolution *= 10.0,
+        let fronts = run(Limits { resolution, events: 20_000 });
+        match fronts.ended {
+            Some(Ended::TooMany { .. }) if resolution < 1e-3 => resolution *= 10.0,
             _ => return fronts,
         }
     }
@@ -205,6 +217,26 @@ enum Joint {
     Projectile,
     Crossover,
     Clamp,
+}
+
+impl<M> Problem<M> {
+    /// The same problem with other materials.
+    pub fn map<N>(&self, material: impl Fn(&M) -> N) -> Problem<N> {
+        let map = |fibre: &Clamped<M>| Clamped {
+            material: material(&fibre.material),
+            area: fibre.area,
+            length: fibre.length,
+        };
+        Problem {
+            primary: map(&self.primary),
+            secondary: self.secondary.as_ref().map(|across| Across {
+                fibre: map(&across.fibre),
+                at: across.at,
+                slide_factor: across.slide_factor,
+            }),
+            velocity: self.velocity,
+        }
+    }
 }
 
 impl<M: PiecewiseLinear + Clone> Fronts<M> {
@@ -390,9 +422,11 @@ impl<M: PiecewiseLinear> Fronts<M> {
         if elapsed <= 0.0 {
             return;
         }
+        self.accounts.braking += self.resistance() * elapsed;
         for (index, span) in self.spans.iter().enumerate() {
-            // Two arms of the secondary; what their mirror symmetry cancels is along z.
-            let weight = if self.fibre(index) == Fibre::Primary { 1.0 } else { 2.0 };
+            // Two arms of a secondary within the half; what their mirror symmetry cancels is
+            // along z. At the origin half of each arm belongs to the half.
+            let weight = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
             if self.joint(index, Meeting::Start) == Joint::Projectile {
                 let force = -tension(span, span.start()) * weight;
                 self.accounts.impulse += force * elapsed;

@@ -18,6 +18,7 @@ pub mod dispersion;
 pub mod elastic;
 pub mod fronts;
 pub mod hyperelastic;
+pub mod motion;
 pub mod riemann;
 pub mod smith;
 
