@@ -13,6 +13,7 @@
 use std::fmt;
 
 use nalgebra::Vector3;
+use serde::Serialize;
 
 use super::riemann::{self, Arm, Crossing, RiemannError, State};
 use crate::place::Fibre;
@@ -70,7 +71,9 @@ pub struct Limits {
 }
 
 /// Why the solution does not go on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Ended {
     /// A fibre goes slack: what it then does the equations of taut fibres do not say.
     Slack {
@@ -205,7 +208,7 @@ pub fn finest<M>(run: impl Fn(Limits) -> Fronts<M>) -> Fronts<M> {
     loop {
         let fronts = run(Limits { resolution, events: 20_000 });
         match fronts.ended {
-            Some(Ended::TooMany { .. }) if resolution < 1e-3 => resolution *= 10.0,
+            Some(Ended::TooMany { .. }) if resolution < 1e-5 => resolution *= 10.0,
             _ => return fronts,
         }
     }
@@ -372,7 +375,13 @@ impl<M: PiecewiseLinear> Fronts<M> {
             let mut pieces = span.pieces(self.time).peekable();
             while let Some((from, state)) = pieces.next() {
                 let to = pieces.peek().map_or(span.length, |(next, _)| *next);
-                segments.push(Segment { from: span.offset + from, to: span.offset + to, state });
+                if to > from {
+                    segments.push(Segment {
+                        from: span.offset + from,
+                        to: span.offset + to,
+                        state,
+                    });
+                }
             }
         }
         segments

@@ -5,6 +5,8 @@ pub mod cases;
 pub mod claims;
 pub mod closed_form;
 pub mod command;
+pub mod exact_file;
+pub mod exact_summary;
 pub mod exit;
 pub mod golden;
 pub mod ledger_effects;

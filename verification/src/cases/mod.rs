@@ -10,6 +10,7 @@ pub mod crossover;
 mod golden;
 mod identities;
 pub mod invariance;
+mod motion;
 mod projectile;
 mod smith;
 pub mod support;
@@ -104,6 +105,7 @@ pub fn all() -> Vec<Case> {
         conservation::CASES,
         identities::CASES,
         invariance::CASES,
+        motion::CASES,
         golden::CASES,
     ]
     .concat()

@@ -2,6 +2,7 @@
 //! is told in a line and ends it with code 1.
 
 mod ended;
+mod exact;
 mod plan;
 mod run;
 mod scene;
@@ -33,6 +34,8 @@ enum Command {
     Run(run::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
     Trace(trace::Args),
+    /// Solve a scene without the scheme: every front followed to any time.
+    Exact(exact::Args),
     /// Say what a run of a scene will do: mesh, time step, equations that run and that do not.
     Plan(plan::Args),
     /// Run the checks, say what came of them and write the reports.
@@ -60,6 +63,7 @@ fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
         Command::Trace(args) => trace::run(args),
+        Command::Exact(args) => exact::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::Vectors(args) => vectors::run(&args),

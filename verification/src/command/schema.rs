@@ -10,6 +10,7 @@ use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use schemars::schema_for;
 
+use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
 use crate::output::Destination;
@@ -31,6 +32,8 @@ enum Format {
     Scene,
     /// What `run --json` writes: crossfibre-result/1
     Result,
+    /// What `exact --json` writes: crossfibre-exact/1
+    Exact,
     /// A line of what `trace` writes: crossfibre-trace/1
     Trace,
     /// What `plan --json` writes: crossfibre-plan/1
@@ -43,6 +46,7 @@ pub fn run(args: &Args) -> Result<Exit> {
     let schema = match args.format {
         Format::Scene => schema_for!(Scene),
         Format::Result => schema_for!(RunResult),
+        Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
         Format::Plan => schema_for!(Plan),
         Format::Vectors => schema_for!(VectorFile),

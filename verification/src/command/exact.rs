@@ -1,0 +1,60 @@
+//! `crossfibre exact`: the motion of a scene without the scheme.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::{Result, bail};
+
+use super::scene;
+use crate::exact_file::ExactFile;
+use crate::exact_summary::ExactSummary;
+use crate::exit::{Exit, say};
+use crate::output::Destination;
+
+/// Arguments.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The scene, `-` for standard input; mesh, Courant number and corrections play no part
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Solve to SECONDS after impact instead of the scene's duration
+    #[arg(short, long, value_name = "SECONDS")]
+    time: Option<f64>,
+    /// Write the solution as JSON (crossfibre-exact/1) to FILE, `-` for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Write the solution as JSON instead of the summary
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(args: &Args) -> Result<Exit> {
+    let destination = Destination::of(args.output.as_deref())?;
+    let scene = scene::read(&args.scene)?;
+    let time = args.time.unwrap_or(scene.duration);
+    if !(time.is_finite() && time > 0.0) {
+        bail!("--time {time}: must be a positive number of seconds after impact, such as 28.7e-6");
+    }
+    let (file, _) = ExactFile::of(&scene, time);
+    let to_stdout = matches!(destination, Destination::Stdout);
+    if args.json || args.output.is_some() {
+        let mut out = destination.open()?;
+        serde_json::to_writer(&mut out, &file).map_err(io::Error::from)?;
+        writeln!(out)?;
+        out.finish()?;
+    }
+    if !(args.json || args.output.is_some() && to_stdout) {
+        write!(io::stdout().lock(), "{}", ExactSummary(&file))?;
+    }
+    Ok(match file.ended {
+        None => Exit::Well,
+        Some(ended) => {
+            say(&format!(
+                "solved to {:.4} µs only: {ended}\n  help: --time {:e} or less has a solution",
+                file.time * 1e6,
+                file.time
+            ));
+            Exit::RunEnded
+        }
+    })
+}
