@@ -36,10 +36,12 @@ impl Display for ExactSummary<'_> {
             format!("converging: {}", stands_in.join(" and "))
         };
         writeln!(to, "solution     {how}; {} meetings of fronts", solution.meetings)?;
+        let greatest = file.primary.iter().fold(0.0_f64, |most, piece| most.max(piece.strain));
         writeln!(
             to,
-            "error        {:.1e} at most in the strain (λ - 1), mean along a fibre",
-            file.error_bound
+            "error        {:.1e} at most in the strain, mean along a fibre ({:.1e} of the greatest)",
+            file.error_bound,
+            file.error_bound / greatest
         )?;
         if let Some(c) = file.coefficients {
             writeln!(

@@ -50,9 +50,9 @@ pub fn run(args: &Args) -> Result<Exit> {
         None => Exit::Well,
         Some(ended) => {
             say(&format!(
-                "solved to {:.4} µs only: {ended}\n  help: --time {:e} or less has a solution",
+                "solved to {:.4} µs only: {ended}\n  help: --time {:e} has a solution",
                 file.time * 1e6,
-                file.time
+                (file.time * 1e9).floor() / 1e9
             ));
             Exit::RunEnded
         }
