@@ -85,7 +85,7 @@ impl Polynomial {
     /// ∫√(T′/ρ) dε through a fan, m/s.
     ///
     /// For T = E₁ε + E₂ε² it is (r₂³ − r₁³)ρ/(3E₂) with r = √(T′/ρ), and
-    /// r₂² − r₁² = 2E₂[ε]/ρ takes the difference out of it.
+    /// `r₂² − r₁² = 2E₂[ε]/ρ` takes the difference out of it.
     fn through_fan(&self, from: f64, to: f64) -> f64 {
         if self.coefficients.len() <= 2 {
             let (first, last) = (self.speed(from), self.speed(to));

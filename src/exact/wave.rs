@@ -8,7 +8,7 @@ use super::root::first_where;
 pub enum Kind {
     /// A rarefaction fan: every strain in it travels at its own speed √(T′/ρ), and T = T̂.
     Fan,
-    /// A jump at speed √([T]/(ρ[ε])), along a chord of T. Where T is linear it dissipates nothing.
+    /// A jump at speed `√([T]/(ρ[ε]))`, along a chord of T. Where T is linear it dissipates nothing.
     Shock,
 }
 
@@ -24,7 +24,7 @@ pub struct Piece {
     /// Lagrangian speeds of its first and last disturbance, m/s; the same for a shock.
     pub speeds: (f64, f64),
     /// The particle velocity that it gives, m/s, with the sign of `to − from`: ∫√(T′/ρ) dε through
-    /// a fan, ±√([T][ε]/ρ) across a shock.
+    /// a fan, `±√([T][ε]/ρ)` across a shock.
     pub velocity: f64,
 }
 
@@ -32,7 +32,6 @@ pub struct Piece {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wave<'m, M> {
     material: &'m M,
-    from: f64,
     to: f64,
     pieces: Vec<Piece>,
 }
@@ -40,7 +39,7 @@ pub struct Wave<'m, M> {
 impl<'m, M: Elastic> Wave<'m, M> {
     /// The wave between two strains.
     pub fn between(material: &'m M, from: f64, to: f64) -> Self {
-        Self { material, from, to, pieces: material.pieces(from, to) }
+        Self { material, to, pieces: material.pieces(from, to) }
     }
 
     /// Its fans and shocks from the first disturbance to the last.
@@ -52,10 +51,10 @@ impl<'m, M: Elastic> Wave<'m, M> {
     ///
     /// Inside a fan it is where T′ = ρξ². At a shock it is the strain ahead.
     pub fn strain_at(&self, xi: f64) -> f64 {
-        let (mut reached, rho) = (self.from, self.material.density());
+        let rho = self.material.density();
         for piece in &self.pieces {
             if xi >= piece.speeds.0 {
-                return reached;
+                return piece.from;
             }
             if xi > piece.speeds.1 {
                 let (low, high) = (piece.from.min(piece.to), piece.from.max(piece.to));
@@ -66,15 +65,14 @@ impl<'m, M: Elastic> Wave<'m, M> {
                     if loading { slope <= rho * xi * xi } else { slope >= rho * xi * xi }
                 });
             }
-            reached = piece.to;
         }
         self.to
     }
 
     /// Energy that the shocks turn into heat per unit area and time, W/m²: the sum of
-    /// s(½(T₊ + T₋)[ε] − [ψ]), which is s∫(T̂ − T) dε over a shock of speed s and not negative.
+    /// `s(½(T₊ + T₋)[ε] − [ψ])`, which is s∫(T̂ − T) dε over a shock of speed s and not negative.
     ///
-    /// It is a difference of large terms: rounding leaves an ulp or two of s[ψ].
+    /// It is a difference of large terms: rounding leaves an ulp or two of `s[ψ]`.
     pub fn dissipation(&self) -> f64 {
         let shocks = self.pieces.iter().filter(|piece| piece.kind == Kind::Shock);
         shocks

@@ -86,7 +86,7 @@ fn states_of_six_laws_agree_with_40_digits() {
         &convex_concave(),
         411.3,
         [
-            0.016_850_257_625_716_802,
+            0.016_850_257_625_716_8,
             107.876_710_657_139_9,
             947_068_347.357_322_3,
             824.130_375_477_320_8,
@@ -131,7 +131,7 @@ fn states_of_six_laws_agree_with_40_digits() {
         1e-3,
         [
             4.979_832_982_507_994e-10,
-            3.340_343_423_850_000_3e-6,
+            3.340_343_423_85e-6,
             30.725_569_221_848_602,
             0.149_686_878_040_164_42,
         ],
@@ -212,15 +212,14 @@ fn velocity(material: &impl Elastic, part: f64) -> f64 {
     1e-3 * f_exp(part * f_log(last / 1e-3))
 }
 
-fn check(material: &impl Elastic, part: f64) -> Result<(), TestCaseError> {
+fn check(material: &impl Elastic, part: f64, tolerance: f64) -> Result<(), TestCaseError> {
     let v = velocity(material, part * 0.999_999);
     let s = struck(material, v).map_err(|error| TestCaseError::fail(error.to_string()))?;
-    // Some ten roundings; W of a hull may jump by an ulp from one strain to the next.
     for (name, residual) in residuals(material.density(), &s, v) {
-        prop_assert!(residual.abs() < 5e-15, "{name} at {v}: {residual:e}");
+        prop_assert!(residual.abs() < tolerance, "{name} at {v}: {residual:e}");
     }
     prop_assert!(s.kink_speed > 0.0);
-    prop_assert!(s.kink_speed_lagrangian <= s.tail_speed * (1.0 + 1e-13), "{s:?}");
+    prop_assert!(s.kink_speed_lagrangian <= s.tail_speed * (1.0 + 100.0 * tolerance), "{s:?}");
     Ok(())
 }
 
@@ -231,7 +230,8 @@ proptest! {
         law in any_polynomial(),
         part in 0.0..1.0_f64,
     ) {
-        check(&law, part)?;
+        // The terms of T may be a hundred times their sum, those of T′ a thousand times.
+        check(&law, part, 1e-13)?;
     }
 
     #[test]
@@ -241,7 +241,8 @@ proptest! {
         b in prop_oneof![-63.1..-0.01_f64, 0.01..63.1_f64],
         part in 0.0..1.0_f64,
     ) {
-        check(&Exponential::new(rho, modulus / b, b).unwrap(), part)?;
+        // Some ten roundings.
+        check(&Exponential::new(rho, modulus / b, b).unwrap(), part, 5e-15)?;
     }
 
     #[test]
