@@ -7,7 +7,9 @@
 //! |---|---|---|
 //! | [`hyperelastic`] | the tension laws and their stored energy | stretch > 0 |
 //! | [`elastic`] | what a wave must know of the fibre that it runs on | |
-//! | [`smith`] | transverse impact on one long fibre | until the first reflection comes back |
+//! | [`polynomial`], [`exponential`] | laws that harden or soften, with their waves | strain from 0 to where T′ > 0 ends |
+//! | [`wave`] | fans and shocks of one longitudinal wave, its profile and what it dissipates | the same |
+//! | [`smith`] | transverse impact on one long fibre of any of these laws | until the first reflection comes back |
 //! | [`crossover`] | what a crossing fibre reflects, lets through and diverts | until a wave from the kink returns |
 //! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
 //! | [`dispersion`] | waves and growth of the leapfrog scheme | uniform linear fibre |
@@ -16,12 +18,19 @@ pub mod crossover;
 pub mod dalembert;
 pub mod dispersion;
 pub mod elastic;
+pub mod exponential;
 pub mod fronts;
 pub mod hyperelastic;
 pub mod motion;
+pub mod polynomial;
 pub mod riemann;
 pub mod smith;
+pub mod wave;
 
+mod gauss;
+mod hull;
 #[cfg(test)]
 mod quadrature;
 mod root;
+#[cfg(test)]
+mod samples;

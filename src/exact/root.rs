@@ -17,16 +17,23 @@ pub(super) fn first_reaching(
     if !reaches(high) {
         return None;
     }
-    let (mut below, mut reaching) = (0.0_f64.to_bits(), high.to_bits());
-    while reaching - below > 1 {
-        let middle = below + (reaching - below) / 2;
-        if reaches(f64::from_bits(middle)) {
-            reaching = middle;
+    Some(first_where(0.0, high, reaches))
+}
+
+/// The smallest double x in (`low`, `high`] at which `holds`, for 0 ≤ `low` ≤ `high`.
+///
+/// `holds` must be true at `high`, and from its first true x on.
+pub(super) fn first_where(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut below, mut holding) = (low.to_bits(), high.to_bits());
+    while holding.saturating_sub(below) > 1 {
+        let middle = below + (holding - below) / 2;
+        if holds(f64::from_bits(middle)) {
+            holding = middle;
         } else {
             below = middle;
         }
     }
-    Some(f64::from_bits(reaching))
+    f64::from_bits(holding)
 }
 
 /// The x in (0, `high`] at which `f` turns from negative to positive, to two ulps, upper end;

@@ -1,12 +1,16 @@
 //! Materials on which every longitudinal wave is a row of jumps.
 
 use crate::exact::elastic::Elastic;
+use crate::exact::wave::{Kind, Piece};
 
-/// A material on which piecewise constant states stay piecewise constant.
-pub trait PiecewiseLinear: Elastic {
-    /// The jumps of the longitudinal wave from strain `from` (ahead of it) to strain `to`: the
-    /// strain behind each and its Lagrangian speed (m/s), the foremost first.
-    fn jumps(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)>;
+/// A material all of whose [pieces](Elastic::pieces) of a wave are jumps, so that piecewise constant
+/// states stay piecewise constant.
+pub trait PiecewiseLinear: Elastic {}
+
+/// A jump of strain with its speed, m/s.
+fn jump(from: f64, to: f64, speed: f64) -> Piece {
+    let velocity = speed * (to - from);
+    Piece { kind: Kind::Shock, from, to, speeds: (speed, speed), velocity }
 }
 
 /// T = Eε: every longitudinal wave is one jump with speed c = √(E/ρ).
@@ -33,6 +37,18 @@ impl Elastic for Line {
         self.modulus * strain
     }
 
+    fn tangent_modulus(&self, _: f64) -> f64 {
+        self.modulus
+    }
+
+    fn stored_energy(&self, strain: f64) -> f64 {
+        self.modulus * strain * strain / 2.0
+    }
+
+    fn pieces(&self, from: f64, to: f64) -> Vec<Piece> {
+        vec![jump(from, to, self.wave_speed())]
+    }
+
     fn wave_velocity(&self, from: f64, to: f64) -> f64 {
         self.wave_speed() * (to - from)
     }
@@ -46,11 +62,7 @@ impl Elastic for Line {
     }
 }
 
-impl PiecewiseLinear for Line {
-    fn jumps(&self, _: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
-        std::iter::once((to, self.wave_speed()))
-    }
-}
+impl PiecewiseLinear for Line {}
 
 /// A polygon inscribed in a concave law, with vertices at the multiples of a spacing h.
 ///
@@ -62,6 +74,8 @@ pub struct Polygon {
     spacing: f64,
     /// T (Pa) at the vertices.
     tension: Vec<f64>,
+    /// ψ (J/m³) at the vertices.
+    energy: Vec<f64>,
     /// Speed of the chord after each vertex, m/s.
     speed: Vec<f64>,
     /// W from zero strain to each vertex, m/s.
@@ -83,7 +97,13 @@ impl Polygon {
                 Some(*sum)
             }))
             .collect();
-        Self { density, spacing, tension, speed, velocity }
+        let energy = std::iter::once(0.0)
+            .chain(tension.windows(2).scan(0.0, |sum, chord| {
+                *sum += (chord[0] + chord[1]) / 2.0 * spacing;
+                Some(*sum)
+            }))
+            .collect();
+        Self { density, spacing, tension, energy, speed, velocity }
     }
 
     /// The chord that a strain lies on, and how far along it.
@@ -112,6 +132,33 @@ impl Elastic for Polygon {
     fn tension(&self, strain: f64) -> f64 {
         let (chord, part) = self.chord(strain);
         self.tension[chord] + self.density * self.speed[chord] * self.speed[chord] * part
+    }
+
+    fn tangent_modulus(&self, strain: f64) -> f64 {
+        let speed = self.speed[self.chord(strain).0];
+        self.density * speed * speed
+    }
+
+    fn stored_energy(&self, strain: f64) -> f64 {
+        let (chord, part) = self.chord(strain);
+        self.energy[chord] + (self.tension[chord] + self.tension(strain)) / 2.0 * part
+    }
+
+    fn pieces(&self, from: f64, to: f64) -> Vec<Piece> {
+        let (first, last) = (self.chord(from).0, self.chord(to).0);
+        if to <= from {
+            let speed = if to < from { self.shock_speed(from, to) } else { self.speed[first] };
+            return vec![jump(from, to, speed)];
+        }
+        (first..=last)
+            .map(|chord| {
+                let ahead = if chord == first { from } else { chord as f64 * self.spacing };
+                let behind = if chord == last { to } else { (chord + 1) as f64 * self.spacing };
+                jump(ahead, behind, self.speed[chord])
+            })
+            // At a vertex the last chord has no length.
+            .filter(|jump| jump.to > jump.from)
+            .collect()
     }
 
     fn wave_velocity(&self, from: f64, to: f64) -> f64 {
@@ -145,16 +192,4 @@ impl Elastic for Polygon {
     }
 }
 
-impl PiecewiseLinear for Polygon {
-    fn jumps(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
-        let (first, last) = (self.chord(from).0, self.chord(to).0);
-        let loading = to > from;
-        let shock = (!loading && to < from).then(|| (to, self.shock_speed(from, to)));
-        let fan = (first..=last).filter(move |_| loading).filter_map(move |chord| {
-            let behind = if chord == last { to } else { (chord + 1) as f64 * self.spacing };
-            let ahead = if chord == first { from } else { chord as f64 * self.spacing };
-            (behind > ahead).then(|| (behind, self.speed[chord]))
-        });
-        shock.into_iter().chain(fan)
-    }
-}
+impl PiecewiseLinear for Polygon {}

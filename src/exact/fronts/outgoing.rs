@@ -39,17 +39,16 @@ impl Waves {
     /// stands for the state behind it up to the next wave kept.
     pub fn of(material: &impl PiecewiseLinear, arm: &Arm, weakest: f64) -> Self {
         let mut waves = Self::default();
-        let (mut strain, t) = (arm.ahead.strain, arm.ahead.direction);
-        for (behind, speed) in material.jumps(arm.ahead.strain, arm.between.strain) {
-            let velocity =
-                arm.ahead.velocity - t * material.wave_velocity(arm.ahead.strain, behind);
-            let strength = (behind - strain).abs();
-            let state = State { strain: behind, velocity, ..arm.between };
-            waves.add(
-                Outgoing { speed, family: Family::Longitudinal, strength, behind: state },
-                weakest,
-            );
-            strain = behind;
+        let (ahead, t) = (arm.ahead, arm.ahead.direction);
+        for jump in material.pieces(ahead.strain, arm.between.strain) {
+            let velocity = ahead.velocity - t * material.wave_velocity(ahead.strain, jump.to);
+            let wave = Outgoing {
+                speed: jump.speeds.0,
+                family: Family::Longitudinal,
+                strength: (jump.to - jump.from).abs(),
+                behind: State { strain: jump.to, velocity, ..arm.between },
+            };
+            waves.add(wave, weakest);
         }
         let strain = arm.between.strain;
         let turned = (arm.behind.velocity - arm.between.velocity).norm();

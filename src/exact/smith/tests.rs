@@ -3,6 +3,8 @@ use proptest::prelude::*;
 use super::super::quadrature::integral;
 use super::*;
 
+mod any_law;
+
 const LAWS: [Law; 2] = [Law::Engineering, Law::Logarithmic];
 
 fn aramid(density: f64) -> f64 {
