@@ -13,6 +13,7 @@ pub mod output;
 pub mod record;
 pub mod report;
 pub mod summary;
+pub mod sweep;
 pub mod trace_line;
 pub mod wide;
 pub mod worked;
