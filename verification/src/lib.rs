@@ -10,6 +10,7 @@ pub mod fronts;
 pub mod golden;
 pub mod ledger_effects;
 pub mod output;
+pub mod plot;
 pub mod record;
 pub mod report;
 pub mod summary;
