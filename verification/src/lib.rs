@@ -6,6 +6,7 @@ pub mod claims;
 pub mod closed_form;
 pub mod command;
 pub mod exit;
+pub mod figures;
 pub mod fronts;
 pub mod golden;
 pub mod ledger_effects;
