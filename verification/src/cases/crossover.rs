@@ -11,6 +11,7 @@ use super::support::{
 };
 use super::{Bound, Case, Check};
 use crate::closed_form::{self, component};
+use crate::fronts::between_fronts;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -59,32 +60,16 @@ pub struct Measured {
 }
 
 /// R, T and D of a run, by means over windows that no front touches.
-///
-/// Behind the crossover the window starts beyond the wavelet that the reflected wave sheds at the
-/// primary's kink; everywhere it keeps a share of the way between fronts clear at both ends.
 pub fn measured(scene: Scene, march: impl Fn(Scene) -> Marched) -> Measured {
     let exact = exact_crossover(&scene);
     let incident = component(&scene, exact.incident.strain);
-    let secondary = scene.secondary.clone().expect("the scene has a secondary");
-    let (at, time) = (secondary.at, scene.duration);
-    let c = exact.incident.front_speed;
-    let c2 = exact.diverted.front_speed;
-    let kink = exact.incident.kink_speed_lagrangian;
-    let since = time - at / c;
-    // The reflected wave meets the kink at this time and sheds a wavelet outward.
-    let meeting = (at + at) / (kink + c);
-    let wavelet = (kink * time).max(kink * meeting + c * (time - meeting));
-    let inside =
-        |from: f64, to: f64, share: f64| (from + share * (to - from), to - share * (to - from));
-    let behind = inside(wavelet.max(at - c * since), at, 0.2);
-    let ahead = inside(at, (c * time).min(scene.primary.length), 0.25);
-    let crossing = inside(exact.diverted.kink_speed_lagrangian * since, c2 * since, 0.25);
+    let windows = between_fronts(&scene, scene.duration);
     let run = march(scene);
-    let strain_behind = run.primary_strain(behind.0, behind.1);
+    let strain_behind = run.primary_strain(windows.behind.0, windows.behind.1);
     let coefficients = Coefficients {
         reflection: strain_behind / incident - 1.0,
-        transmission: run.primary_strain(ahead.0, ahead.1) / incident,
-        diversion: run.secondary_strain(crossing.0, crossing.1) / incident,
+        transmission: run.primary_strain(windows.ahead.0, windows.ahead.1) / incident,
+        diversion: run.secondary_strain(windows.diverted.0, windows.diverted.1) / incident,
     };
     Measured { coefficients, strain_behind, run }
 }

@@ -8,6 +8,7 @@ mod run;
 mod scene;
 mod schema;
 mod select;
+mod study;
 mod trace;
 mod vectors;
 mod verify;
@@ -40,6 +41,8 @@ enum Command {
     Plan(plan::Args),
     /// Run the checks, say what came of them and write the reports.
     Verify(verify::Args),
+    /// Run a study, a sweep of many runs, and draw what comes of it.
+    Study(study::Args),
     /// Compare the golden vectors with what this program computes, or store them anew.
     Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
@@ -66,6 +69,7 @@ fn run(command: Command) -> Result<Exit> {
         Command::Exact(args) => exact::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
+        Command::Study(args) => study::run(args),
         Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
     }

@@ -1,0 +1,79 @@
+//! `crossfibre study`: sweeps of many runs, and what is drawn from them.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use clap::Subcommand;
+
+use crate::exit::Exit;
+use crate::figures::points::{points, snapshot};
+use crate::figures::{STUDY, Snapshots, files};
+use crate::output::Destination;
+use crate::sweep::{Places, Shard, sweep};
+
+/// Arguments.
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(subcommand)]
+    study: Study,
+}
+
+#[derive(Subcommand)]
+enum Study {
+    /// Redraw Figs 3 to 7 of the paper, from the scheme and from exact solutions.
+    Figures(Sweep),
+}
+
+/// Where a study goes, and which part of it is computed.
+#[derive(clap::Args)]
+struct Sweep {
+    /// Folder for the pictures, tables and the page
+    #[arg(long, default_value = "target/study/figures", value_name = "DIR")]
+    out: PathBuf,
+    /// Folder where each finished run is stored; what is there is not computed again
+    #[arg(long, default_value = "target/study/figures-points", value_name = "DIR")]
+    points: PathBuf,
+    /// Compute part I of N only, and draw nothing as long as runs are missing
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// Take over the runs stored in another folder (may be repeated)
+    #[arg(long, value_name = "DIR")]
+    from: Vec<PathBuf>,
+}
+
+pub fn run(args: Args) -> Result<Exit> {
+    match args.study {
+        Study::Figures(sweep) => figures(sweep),
+    }
+}
+
+fn figures(args: Sweep) -> Result<Exit> {
+    let Sweep { out, points: folder, shard, from } = args;
+    // Before hours of work, not after.
+    fs::create_dir_all(&out)
+        .with_context(|| format!("{}: cannot be made a folder", out.display()))?;
+    let points = points();
+    let places = Places { points: folder, from, shard };
+    let values = sweep(STUDY, &points, &places, snapshot)?;
+    let all = values.len();
+    let found: Vec<_> = values.into_iter().flatten().collect();
+    let mut to = io::stdout().lock();
+    writeln!(to, "runs: {} of {all} in {}", found.len(), places.points.display())?;
+    if found.len() < all {
+        writeln!(to, "nothing is drawn yet: compute the other parts, and unite them by --from")?;
+        return Ok(Exit::Well);
+    }
+    for (name, text) in files(&Snapshots::new(&points, found)) {
+        write(&out.join(name), &text)?;
+    }
+    writeln!(to, "figures: {}", out.display())?;
+    Ok(Exit::Well)
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    let mut out = Destination::of(Some(path))?.open()?;
+    out.write_all(text.as_bytes())?;
+    out.finish()
+}
