@@ -1,11 +1,13 @@
 //! Fig. 3: strain along both fibres 28.7 µs after impact.
 
 use super::Snapshots;
-use super::exact_profile::{Profile, Segment, exact_profile};
 use super::points::{Edition, Strains, element};
 use super::table::{Table, cell};
 use crate::cases::support::{exact_single, measured_by, shipped};
+use crate::closed_form::problem;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
+use crossfibre::exact::fronts::Segment;
+use crossfibre::exact::motion::{Motion, motion};
 use crossfibre::scene::{Scene, Strain};
 
 /// Times that the paper's mesh is refined for the pictures and the table: 2 and 0.5 mm.
@@ -14,12 +16,37 @@ const MESHES: [usize; 2] = [1, 4];
 /// The fibres, and how far from their beginning they are shown, mm: just past the fronts.
 const FIBRES: [(&str, f64); 2] = [("primary", 220.0), ("secondary", 110.0)];
 
-/// The scene, and its exact profile.
-pub fn exact() -> (Scene, Profile) {
+/// The scene, and its exact motion with engineering strain.
+pub fn exact() -> (Scene, Motion) {
     let scene = shipped("fig3");
-    let profile = exact_profile(&scene, scene.duration)
-        .unwrap_or_else(|error| panic!("Fig. 3 has an exact profile: {error}"));
-    (scene, profile)
+    let engineering = measured_by(Strain::Engineering, scene.clone());
+    let motion = motion(&problem(&engineering), None, scene.duration);
+    (scene, motion)
+}
+
+/// A stretch of one strain; kinks may lie within.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plateau {
+    /// Where it begins, m.
+    pub from: f64,
+    /// Where it ends, m.
+    pub to: f64,
+    /// Engineering strain λ − 1.
+    pub strain: f64,
+}
+
+/// The plateaus of a fibre that are longer than 0.1 mm.
+pub fn plateaus_of(segments: &[Segment]) -> Vec<Plateau> {
+    let mut plateaus: Vec<Plateau> = Vec::new();
+    for &Segment { from, to, state } in segments {
+        match plateaus.last_mut() {
+            // The strains beside a kink differ by rounding.
+            Some(last) if (last.strain - state.strain).abs() <= 1e-12 => last.to = to,
+            _ => plateaus.push(Plateau { from, to, strain: state.strain }),
+        }
+    }
+    plateaus.retain(|plateau| plateau.to - plateau.from > 1e-4);
+    plateaus
 }
 
 /// Length of a fibre, m.
@@ -35,8 +62,8 @@ fn strains_of<'a>(name: &str, strains: &'a Strains) -> &'a [f64] {
     if name == "primary" { &strains.primary } else { &strains.secondary }
 }
 
-fn segments<'a>(name: &str, profile: &'a Profile) -> &'a [Segment] {
-    if name == "primary" { &profile.primary } else { &profile.secondary }
+fn segments<'a>(name: &str, motion: &'a Motion) -> &'a [Segment] {
+    if name == "primary" { &motion.primary } else { &motion.secondary }
 }
 
 /// Smith's strain of a single fibre, engineering measure: the dotted line.
@@ -47,7 +74,9 @@ fn single() -> f64 {
 fn outline(segments: &[Segment]) -> Vec<(f64, f64)> {
     segments
         .iter()
-        .flat_map(|s| [(1e3 * s.from, 100.0 * s.strain), (1e3 * s.to, 100.0 * s.strain)])
+        .flat_map(|s| {
+            [(1e3 * s.from, 100.0 * s.state.strain), (1e3 * s.to, 100.0 * s.state.strain)]
+        })
         .collect()
 }
 
@@ -64,7 +93,7 @@ fn panel(
     x: Axis,
     curves: &[(Edition, usize, &str, Colour, Style)],
 ) -> Panel {
-    let (scene, profile) = exact();
+    let (scene, motion) = exact();
     let mut series = Vec::new();
     for &(edition, factor, label, colour, style) in curves {
         if let Some(strains) = snapshots.strains(edition, factor) {
@@ -72,7 +101,7 @@ fn panel(
             series.push(Series::new(label, colour, style, curve));
         }
     }
-    let exact = outline(segments(name, &profile));
+    let exact = outline(segments(name, &motion));
     series.push(Series::new("exact, engineering strain", Colour::Black, Style::Solid(1.6), exact));
     let line = vec![(x.from, 100.0 * single()), (x.to, 100.0 * single())];
     let label = format!("single fibre, Smith: {:.2} %", 100.0 * single());
@@ -129,7 +158,7 @@ pub fn plateaus(snapshots: &Snapshots) -> String {
 
 /// The strains of elements.
 pub fn table(snapshots: &Snapshots) -> String {
-    let (scene, profile) = exact();
+    let (scene, motion) = exact();
     let mut table = Table::new(&[
         "fibre",
         "element size [m]",
@@ -151,10 +180,10 @@ pub fn table(snapshots: &Snapshots) -> String {
                 if middle > 1e-3 * shown {
                     break;
                 }
-                let exact = segments(name, &profile).iter().find(|s| middle <= s.to);
+                let exact = segments(name, &motion).iter().find(|s| middle <= s.to);
                 let mut row = vec![name.to_owned(), cell(Some(dx)), cell(Some(middle))];
                 row.extend(of_editions.map(|found| cell(found.map(|strain| strain[i]))));
-                row.push(cell(exact.map(|s| s.strain)));
+                row.push(cell(exact.map(|s| s.state.strain)));
                 table.row(&row);
             }
         }
@@ -165,10 +194,10 @@ pub fn table(snapshots: &Snapshots) -> String {
 /// The segments of the exact profile.
 pub fn exact_table() -> String {
     let mut table = Table::new(&["fibre", "from [m]", "to [m]", "strain exact engineering [1]"]);
-    let (_, profile) = exact();
+    let (_, motion) = exact();
     for (name, _) in FIBRES {
-        for Segment { from, to, strain } in segments(name, &profile) {
-            table.row(&[name.into(), cell(Some(*from)), cell(Some(*to)), cell(Some(*strain))]);
+        for Segment { from, to, state } in segments(name, &motion) {
+            table.row(&[name.into(), cell(Some(*from)), cell(Some(*to)), cell(Some(state.strain))]);
         }
     }
     table.text()

@@ -4,7 +4,6 @@
 //! [`points::points`] are the runs; [`files`] is a pure function of what they gave.
 
 mod curves;
-pub mod exact_profile;
 mod fig3;
 mod page;
 pub mod points;

@@ -3,7 +3,7 @@
 use crossfibre::scene::{Scene, Strain};
 
 use super::curves::exact;
-use super::exact_profile::Segment;
+use super::fig3::{Plateau, plateaus_of};
 use super::points::{
     Abscissa, CONVERGED, Edition, HALVED, PROFILE_MESHES, Ratios, Snapshot, curve_id, element,
     profile_id,
@@ -128,7 +128,7 @@ fn off_by_sliding(snapshots: &Snapshots) -> f64 {
 }
 
 /// How many elements behind the exact front the corrected secondary has half of the exact strain.
-fn lag(snapshots: &Snapshots, factor: usize, arm: Segment) -> String {
+fn lag(snapshots: &Snapshots, factor: usize, arm: Plateau) -> String {
     let strains = snapshots.strains(Edition::Corrected, factor);
     let last = strains.and_then(|s| s.secondary.iter().rposition(|&e| e > 0.5 * arm.strain));
     let middle = |i: usize| i as f64 + 0.5;
@@ -136,7 +136,7 @@ fn lag(snapshots: &Snapshots, factor: usize, arm: Segment) -> String {
 }
 
 fn fig3_section(snapshots: &Snapshots) -> String {
-    let (scene, profile) = fig3::exact();
+    let (scene, motion) = fig3::exact();
     let engineering = measured_by(Strain::Engineering, scene.clone());
     let mut rows = Vec::new();
     for (name, scene) in [("strain of (4)", &scene), ("engineering strain", &engineering)] {
@@ -154,15 +154,14 @@ fn fig3_section(snapshots: &Snapshots) -> String {
             rows.push([name, in_words(snapshot.between_fronts).to_vec(), vec![fixed]].concat());
         }
     }
-    let levels: Vec<String> = profile
-        .primary
+    let levels: Vec<String> = plateaus_of(&motion.primary)
         .iter()
-        .filter(|segment| segment.strain > 0.0)
-        .map(|Segment { from, to, strain }| {
+        .filter(|plateau| plateau.strain > 0.0)
+        .map(|Plateau { from, to, strain }| {
             format!("{:.2} % from {:.1} to {:.1} mm", 100.0 * strain, 1e3 * from, 1e3 * to)
         })
         .collect();
-    let arm = profile.secondary[0];
+    let arm = plateaus_of(&motion.secondary)[0];
     format!(
         "\
 ## Fig. 3: strain 28.7 µs after impact
@@ -170,8 +169,8 @@ fn fig3_section(snapshots: &Snapshots) -> String {
 ![Strain along both fibres](fig3.svg)
 
 The exact strain of the primary is {};
-that of the secondary is {:.3} % as far as {:.1} mm. It is known in closed form until the wave that the
-crossover reflects is back at the impact point, which is just at this time. The paper sees the rise
+that of the secondary is {:.3} % as far as {:.1} mm. [Every front is followed](../exact/fronts.md). Just at this
+time the wave that the crossover reflects is back at the impact point. The paper sees the rise
 behind the crossover, the fall beyond it and the overshoot at the front, and so does the scheme. At 2 mm
 neither edition shows a plateau on the secondary: a fibre pulled sideways is strained only in second
 order at first, and its first elements spread the start of the wave. Half of the exact strain is reached

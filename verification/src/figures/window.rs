@@ -1,9 +1,10 @@
 //! How R of Fig. 3 moves with the window that the strain behind the crossover is averaged over.
 
+use crossfibre::exact::fronts::Segment;
+use crossfibre::exact::motion::Motion;
 use crossfibre::scene::Strain;
 
 use super::Snapshots;
-use super::exact_profile::{Profile, Segment};
 use super::fig3::exact;
 use super::points::{Edition, PROFILE_MESHES, element, mean_over};
 use super::table::{Table, cell};
@@ -30,10 +31,10 @@ fn incident(measure: Strain) -> f64 {
 }
 
 /// R by the exact profile, engineering strain, from a mean over a window, mm.
-fn exact_reflection(profile: &Profile, from: f64, to: f64) -> f64 {
+fn exact_reflection(motion: &Motion, from: f64, to: f64) -> f64 {
     let (from, to) = (1e-3 * from, 1e-3 * to);
-    let share = |s: &Segment| (s.to.min(to) - s.from.max(from)).max(0.0) * s.strain;
-    let mean = profile.primary.iter().map(share).sum::<f64>() / (to - from);
+    let share = |s: &Segment| (s.to.min(to) - s.from.max(from)).max(0.0) * s.state.strain;
+    let mean = motion.primary.iter().map(share).sum::<f64>() / (to - from);
     mean / incident(Strain::Engineering) - 1.0
 }
 
@@ -99,8 +100,8 @@ pub fn extremes(
 
 /// The same by the exact profile.
 pub fn exact_extremes(family: Family) -> (f64, f64) {
-    let (_, profile) = exact();
-    range(windows(family).map(|(from, to)| exact_reflection(&profile, from, to)))
+    let (_, motion) = exact();
+    range(windows(family).map(|(from, to)| exact_reflection(&motion, from, to)))
 }
 
 /// How meshes are drawn.
@@ -112,7 +113,7 @@ const MESHES: [(usize, Colour, f64); 3] = [
 
 /// R against where the window begins, a panel for each width.
 pub fn picture(snapshots: &Snapshots, edition: Edition) -> String {
-    let (_, profile) = exact();
+    let (_, motion) = exact();
     let panels = WIDTHS.map(|width| {
         let along = |of: &dyn Fn(f64) -> f64| starts(width).iter().map(|&x| (x, of(x))).collect();
         let mut series: Vec<Series> = MESHES
@@ -125,7 +126,7 @@ pub fn picture(snapshots: &Snapshots, edition: Edition) -> String {
                 Series::new(name, colour, Style::Solid(line), points)
             })
             .collect();
-        let points = along(&|from| exact_reflection(&profile, from, from + width));
+        let points = along(&|from| exact_reflection(&motion, from, from + width));
         series.push(Series::new("exact profile", Colour::Black, Style::Dashed(1.6), points));
         Panel {
             title: format!("Window {width} mm wide"),
@@ -140,7 +141,7 @@ pub fn picture(snapshots: &Snapshots, edition: Edition) -> String {
 
 /// R of every window, run and of the exact profile.
 pub fn table(snapshots: &Snapshots) -> String {
-    let (_, profile) = exact();
+    let (_, motion) = exact();
     let runs: Vec<(Edition, usize)> = Edition::ALL
         .into_iter()
         .flat_map(|edition| PROFILE_MESHES.map(|factor| (edition, factor)))
@@ -155,7 +156,7 @@ pub fn table(snapshots: &Snapshots) -> String {
     for width in WIDTHS {
         for from in starts(width) {
             let to = from + width;
-            let mut row = [1e-3 * width, 1e-3 * from, exact_reflection(&profile, from, to)]
+            let mut row = [1e-3 * width, 1e-3 * from, exact_reflection(&motion, from, to)]
                 .map(|x| cell(Some(x)))
                 .to_vec();
             row.extend(runs.iter().map(|&run| cell(reflection(snapshots, run, from, to))));
