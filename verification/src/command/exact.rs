@@ -7,6 +7,7 @@ use anyhow::{Result, bail};
 
 use super::scene;
 use crate::exact_file::ExactFile;
+use crate::exact_plot::picture;
 use crate::exact_summary::ExactSummary;
 use crate::exit::{Exit, say};
 use crate::output::Destination;
@@ -23,6 +24,9 @@ pub struct Args {
     /// Write the solution as JSON (crossfibre-exact/1) to FILE, `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Draw strain along the fibres and the ways of all fronts as SVG to FILE
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
     /// Write the solution as JSON instead of the summary
     #[arg(long)]
     json: bool,
@@ -35,7 +39,13 @@ pub fn run(args: &Args) -> Result<Exit> {
     if !(time.is_finite() && time > 0.0) {
         bail!("--time {time}: must be a positive number of seconds after impact, such as 28.7e-6");
     }
-    let (file, _) = ExactFile::of(&scene, time);
+    let plot = args.plot.as_deref().map(|path| Destination::of(Some(path))).transpose()?;
+    let (file, motion) = ExactFile::of(&scene, time);
+    if let Some(plot) = plot {
+        let mut out = plot.open()?;
+        out.write_all(picture(&scene, &file, &motion).as_bytes())?;
+        out.finish()?;
+    }
     let to_stdout = matches!(destination, Destination::Stdout);
     if args.json || args.output.is_some() {
         let mut out = destination.open()?;

@@ -121,6 +121,19 @@ impl Axis {
     pub fn new(label: impl Into<String>, from: f64, to: f64, step: f64) -> Self {
         Self { label: label.into(), from, to, step }
     }
+
+    /// An axis from 0 to a positive number, with some five to ten ticks at 1, 2 or 5 times a power of ten.
+    pub fn from_zero(label: impl Into<String>, to: f64) -> Self {
+        let mut step = 1.0;
+        while step > to / 6.0 {
+            step /= 10.0;
+        }
+        while step * 10.0 <= to / 6.0 {
+            step *= 10.0;
+        }
+        let wider = [5.0, 2.0].into_iter().map(|n| n * step).find(|s| *s <= to / 5.0);
+        Self::new(label, 0.0, to, wider.unwrap_or(step))
+    }
 }
 
 /// One pair of axes.
@@ -143,12 +156,17 @@ const HEIGHT: f64 = 400.0;
 
 /// The panels side by side, over one legend.
 pub fn svg(panels: &[Panel]) -> String {
+    rows(panels, panels.len())
+}
+
+/// The panels in rows of so many columns, as wide as the first row has them, over one legend.
+pub fn rows(panels: &[Panel], columns: usize) -> String {
     let plots = panels.iter().map(|panel| panel.series.iter().flat_map(drawn).collect()).collect();
-    let mut figure = Figure::new(1, panels.len())
+    let mut figure = Figure::new(panels.len().div_ceil(columns), columns)
         .with_plots(plots)
         .with_layouts(panels.iter().map(layout).collect())
         .with_cell_size(0.0, HEIGHT);
-    for (k, panel) in panels.iter().enumerate() {
+    for (k, panel) in panels.iter().take(columns).enumerate() {
         figure = figure.with_col_width(k, panel.width);
     }
     let mut scene = figure.render();
