@@ -3,15 +3,18 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
 use indicatif::ProgressBar;
 
+use crate::cases::support::shipped;
 use crate::cases::{self, Verdict};
 use crate::exit::{Exit, say};
 use crate::output::Destination;
 use crate::record::{CaseRecord, Record, run_cases};
 use crate::report::{junit, markdown};
+use crate::wide;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -73,6 +76,11 @@ pub fn run(args: &Args) -> Result<Exit> {
         let (all, passed) = record.tally();
         let mut out = io::stdout().lock();
         writeln!(out, "\n{passed} passed, {} failed", all - passed)?;
+        writeln!(
+            out,
+            "the paper's timing example: 10.1 s of an IBM 370/168 then, {:.0} µs of this machine now",
+            timing_example().as_secs_f64() * 1e6
+        )?;
         writeln!(out, "reports: {}", args.out.display())?;
     }
     let stale = match &args.compare {
@@ -80,6 +88,18 @@ pub fn run(args: &Args) -> Result<Exit> {
         None => false,
     };
     Ok(if troubles == 0 && !stale { Exit::Well } else { Exit::CheckFailed })
+}
+
+/// How long the paper's timing example takes: the shortest of some runs. In no report, because it is
+/// another number every time.
+fn timing_example() -> Duration {
+    let scene = shipped("timing");
+    let run = || {
+        let start = Instant::now();
+        wide::run(&scene, |_| {});
+        start.elapsed()
+    };
+    (0..20).map(|_| run()).min().unwrap_or_default()
 }
 
 /// One line a case; each check that did not pass with what to look at.

@@ -83,7 +83,12 @@ fn head(out: &mut String, record: &Record) {
     put!(
         out,
         "Each check names its oracle, its norm, and the reason of its bound. Oracles share no code \
-         with the scheme: closed forms are derived in [docs/exact](docs/exact). All numbers are \
+         with the scheme; they are derived in [docs/exact](docs/exact): \
+         [Smith's impact](docs/exact/smith.md), [the crossover](docs/exact/crossover.md), [Riemann \
+         problems of strings](docs/exact/riemann.md), [the motion at any \
+         time](docs/exact/fronts.md), [axial waves and \
+         dispersion](docs/exact/axial-and-dispersion.md). The paper's figures, drawn from the scheme and \
+         from exact solutions, are in [docs/figures](docs/figures/README.md). All numbers are \
          deterministic, so a bound is held to the error that it was set for: a tolerance \
          of more than {HEAD_ROOM} times its error fails the check as too loose, as does a fault that is \
          more than {HEAD_ROOM} times the least that must show. *Head-room* is the factor between the two.\n"
