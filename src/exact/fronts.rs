@@ -5,7 +5,8 @@
 //! and between them the fibre is uniform. So the whole motion is a list of fronts, and whenever
 //! two of them meet, or one reaches an end or the crossover, a Riemann problem
 //! ([`riemann`](super::riemann)) says what leaves. Waves weaker than a stated strength are left
-//! out; the sum of what was left out is the solution's own [`error`](Fronts::dropped).
+//! out; the sum of what was left out is the solution's own
+//! [error](Fronts::error_bound).
 //!
 //! A [`Polygon`] in place of the straight line gives converging approximations of a concave law.
 //! Derivation, range and tests: `docs/exact/fronts.md`.
@@ -187,7 +188,10 @@ pub struct Fronts<M> {
     limits: Limits,
     left_out: f64,
     tracks: Option<Vec<Track>>,
+    /// Up to the last meeting.
     accounts: Accounts,
+    /// When that was, s.
+    settled: f64,
     ended: Option<Ended>,
 }
 
@@ -273,6 +277,7 @@ impl<M: PiecewiseLinear + Clone> Fronts<M> {
             left_out: 0.0,
             tracks: None,
             accounts: Accounts::default(),
+            settled: 0.0,
             ended: None,
         };
         fronts.strike(problem.velocity);
@@ -288,6 +293,7 @@ impl<M: PiecewiseLinear> Fronts<M> {
 
     /// Gives the projectile another velocity (m/s) from now on.
     pub fn strike(&mut self, velocity: f64) {
+        self.settle();
         self.velocity = Vector3::new(0.0, velocity, 0.0);
         for span in 0..self.spans.len() {
             if self.joint(span, Meeting::Start) == Joint::Projectile {
@@ -302,10 +308,11 @@ impl<M: PiecewiseLinear> Fronts<M> {
         while self.ended.is_none() {
             let (span, (next, meeting)) = self.next();
             if next > time {
-                self.pass(time);
+                self.time = self.time.max(time);
                 return Ok(());
             }
-            self.pass(next);
+            self.time = next;
+            self.settle();
             self.ended = self.event(span, meeting).err();
         }
         self.ended.map_or(Ok(()), Err)
@@ -357,7 +364,23 @@ impl<M: PiecewiseLinear> Fronts<M> {
 
     /// Impulse and work so far.
     pub fn accounts(&self) -> Accounts {
-        self.accounts
+        let mut accounts = self.accounts;
+        let elapsed = self.time - self.settled;
+        accounts.braking += self.resistance() * elapsed;
+        for (index, span) in self.spans.iter().enumerate() {
+            // Two arms of a secondary within the half; what their mirror symmetry cancels is
+            // along z. At the origin half of each arm belongs to the half.
+            let weight = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
+            if self.joint(index, Meeting::Start) == Joint::Projectile {
+                let force = -tension(span, span.start()) * weight;
+                accounts.impulse += force * elapsed;
+                accounts.work += force.dot(&self.velocity) * elapsed;
+            }
+            if self.joint(index, Meeting::End) == Joint::Clamp {
+                accounts.impulse += tension(span, span.end()) * (weight * elapsed);
+            }
+        }
+        accounts
     }
 
     /// The force that holds the projectile back now, from all of both fibres, N.
@@ -425,27 +448,11 @@ impl<M: PiecewiseLinear> Fronts<M> {
         Resolution { weakest, moment: weakest * reach, rounding: 1e-13 * reach }
     }
 
-    /// Lets time pass in which nothing meets.
-    fn pass(&mut self, time: f64) {
-        let elapsed = time - self.time;
-        if elapsed <= 0.0 {
-            return;
-        }
-        self.accounts.braking += self.resistance() * elapsed;
-        for (index, span) in self.spans.iter().enumerate() {
-            // Two arms of a secondary within the half; what their mirror symmetry cancels is
-            // along z. At the origin half of each arm belongs to the half.
-            let weight = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
-            if self.joint(index, Meeting::Start) == Joint::Projectile {
-                let force = -tension(span, span.start()) * weight;
-                self.accounts.impulse += force * elapsed;
-                self.accounts.work += force.dot(&self.velocity) * elapsed;
-            }
-            if self.joint(index, Meeting::End) == Joint::Clamp {
-                self.accounts.impulse += tension(span, span.end()) * (weight * elapsed);
-            }
-        }
-        self.time = time;
+    /// Closes the accounts up to now, before a force changes: so that they do not depend on when
+    /// somebody looks.
+    fn settle(&mut self) {
+        self.accounts = self.accounts();
+        self.settled = self.time;
     }
 
     /// Fronts that meet within a span.
@@ -548,3 +555,6 @@ fn write_down(
         tracks.push(track(fibre, offset, front, time));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,7 +18,7 @@
 
 use std::fmt;
 
-use nalgebra::{Matrix2, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use super::elastic::Elastic;
 use super::root::crossing;
@@ -53,10 +53,12 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// Whether the kink turns the fibre by more than a right angle.
+    /// Whether the kink turns the fibre by more than a right angle; here taken for going slack.
     ///
-    /// No tension does that to a fibre that was taut: without the fold the arm would be in
-    /// compression, so this is where a fibre goes slack.
+    /// It needs a joint that runs into its arm faster than the arm gives way when it unloads to
+    /// zero strain: moved like that along the fibre alone, the arm would be compressed. The
+    /// converse does not hold, and a folded arm still is under tension: the solution stands for a
+    /// perfectly flexible line, which the fibre then no longer is (`docs/exact/riemann.md`).
     pub fn is_folded(&self) -> bool {
         self.behind.direction.dot(&self.between.direction) < 0.0
     }
@@ -89,7 +91,8 @@ impl std::error::Error for RiemannError {}
 ///
 /// With V − v = a t + p, p ⟂ t, and r = W(ε → ε*) + a, the three equations above are
 /// Uλ* t* = (Uλ* − r) t − p, and |t*| = 1 is **p² = r(2Uλ* − r)**: Smith's relation for a fibre
-/// that is already strained and moving. The right side minus p² is negative below its only root.
+/// that is already strained and moving. r(2Uλ* − r) − p² is not positive while r ≤ 0 and increases
+/// from there on, so there is one root.
 pub fn end(
     material: &impl Elastic,
     ahead: State,
@@ -238,8 +241,9 @@ pub struct Junction {
 /// A₁T(ε_L*) t_L* + A₁T(ε_R*) t_R* + 2 S A₂T₂(ε₂*) t₂* = 0   in the x–y plane
 /// ```
 ///
-/// Two unknowns, V_x and V_y. Each force opposes V monotonically, so the solution is unique and
-/// Newton's direction always lowers the residual.
+/// Two unknowns, V_x and V_y. Each force is a strictly monotone function of V (its Jacobian, see
+/// [`softening`], is negative definite), so there is at most one solution, and a short enough step
+/// along Newton's direction always leads towards it.
 pub fn junction<M: Elastic>(
     primary: Crossing<'_, M>,
     left: State,
@@ -248,70 +252,108 @@ pub fn junction<M: Elastic>(
     arm: State,
     slide: (f64, Vector3<f64>),
 ) -> Result<Junction, RiemannError> {
-    let slid = |v: Vector3<f64>| v - slide.1 * ((1.0 - slide.0) * v.dot(&slide.1));
+    let along = slide.1 * slide.1.transpose();
+    let slip = (Matrix3::identity() - along) + along * slide.0;
     let arms = |v: Vector2<f64>| -> Result<Junction, RiemannError> {
         let velocity = Vector3::new(v.x, v.y, 0.0);
         Ok(Junction {
             velocity,
             left: end(primary.material, left.reversed(), velocity)?,
             right: end(primary.material, right, velocity)?,
-            secondary: end(secondary.material, arm, slid(velocity))?,
+            secondary: end(secondary.material, arm, slip * velocity)?,
         })
     };
-    let force = |j: &Junction| {
-        pull(&primary, &j.left)
+    let force = |j: &Junction| -> Vector2<f64> {
+        let sum = pull(&primary, &j.left)
             + pull(&primary, &j.right)
-            + slid(pull(&secondary, &j.secondary)) * 2.0
+            + slip * pull(&secondary, &j.secondary) * 2.0;
+        sum.xy()
     };
-    let mut v = ((left.velocity + right.velocity) / 2.0).xy();
-    let mut best = arms(v)?;
-    let mut unbalanced = force(&best).xy();
-    for _ in 0..MOST_ITERATIONS {
-        // Differences over seven digits of V, or of the velocities at hand where V is near 0.
-        let around = (left.velocity - right.velocity).norm() + arm.velocity.norm();
-        let h = 1e-7 * v.norm() + 1e-13 * around;
-        let slope = |d: Vector2<f64>| -> Result<Vector2<f64>, RiemannError> {
-            Ok((force(&arms(v + d)?).xy() - unbalanced) / h)
+    // Forces are known no better than their sizes and the velocities at hand allow.
+    let known = |j: &Junction| {
+        let size = |fibre: &Crossing<'_, M>, arm: &Arm| {
+            let impedance = fibre.area * fibre.material.density() * front_speed(fibre.material);
+            pull(fibre, arm).norm() + impedance * arm.ahead.velocity.norm()
         };
-        let (x, y) = (slope(Vector2::new(h, 0.0))?, slope(Vector2::new(0.0, h))?);
-        let Some(inverse) = Matrix2::from_columns(&[x, y]).try_inverse() else { break };
-        let newton = -(inverse * unbalanced);
-        let Some((next, remaining)) = lowered(unbalanced, newton, |part| {
-            arms(v + part).ok().map(|j| {
-                let f = force(&j).xy();
-                (j, f)
-            })
-        }) else {
-            break;
-        };
-        v = next.velocity.xy();
-        (best, unbalanced) = (next, remaining);
-    }
-    Ok(best)
-}
-
-/// Enough for the 16 digits of a root that starts six decades away.
-const MOST_ITERATIONS: usize = 100;
-
-/// The first of the step and its halves that lowers the residual; none if rounding is reached.
-fn lowered(
-    residual: Vector2<f64>,
-    step: Vector2<f64>,
-    at: impl Fn(Vector2<f64>) -> Option<(Junction, Vector2<f64>)>,
-) -> Option<(Junction, Vector2<f64>)> {
-    let mut part = step;
-    for _ in 0..40 {
-        if let Some((junction, found)) = at(part)
-            && found.norm() < residual.norm()
-        {
-            return Some((junction, found));
+        size(&primary, &j.left) + size(&primary, &j.right) + size(&secondary, &j.secondary)
+    };
+    let slope = |j: &Junction| -> Matrix2<f64> {
+        let sum = softening(&primary, &j.left)
+            + softening(&primary, &j.right)
+            + slip * softening(&secondary, &j.secondary) * slip * 2.0;
+        sum.fixed_view::<2, 2>(0, 0).into()
+    };
+    let newton = |start: Vector3<f64>| -> Result<Junction, RiemannError> {
+        let mut best = arms(start.xy())?;
+        for _ in 0..MOST_ITERATIONS {
+            let (v, unbalanced) = (best.velocity.xy(), force(&best));
+            if unbalanced.norm() <= f64::EPSILON * known(&best) {
+                return Ok(best);
+            }
+            let Some(inverse) = slope(&best).try_inverse() else { return Ok(best) };
+            let step = -(inverse * unbalanced);
+            let (mut part, mut within) = (step, Ok(()));
+            // The step, or the first of its halves after which, within the laws, the same matrix
+            // asks for less. The force itself may have to grow on the way: its size changes much
+            // faster across the valley of a nearly slack fibre than along it.
+            best = loop {
+                match arms(v + part) {
+                    Ok(found) if (inverse * force(&found)).norm() < step.norm() => break found,
+                    Ok(_) => {}
+                    Err(error) => within = Err(error),
+                }
+                part /= 2.0;
+                if v + part == v {
+                    return within.map(|()| best);
+                }
+            };
         }
-        part /= 2.0;
-    }
-    None
+        Err(RiemannError::BeyondTheLaw)
+    };
+    // Where a law has an end, the way to the balance may begin or lead beyond it from one start and
+    // not from another.
+    let between = |part: f64| left.velocity + (right.velocity - left.velocity) * part;
+    let starts = [0.5, 1.0, 0.0, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875].map(between);
+    starts
+        .into_iter()
+        .chain([arm.velocity])
+        .find_map(|start| newton(start).ok())
+        .ok_or(RiemannError::BeyondTheLaw)
 }
+
+/// Enough for the 16 digits of a root that starts six decades away; only along the end of a law are
+/// the steps so short that it is not.
+const MOST_ITERATIONS: usize = 100;
 
 /// A T(ε*) t*, the force of an arm on its joint, N.
 fn pull<M: Elastic>(fibre: &Crossing<'_, M>, arm: &Arm) -> Vector3<f64> {
     arm.behind.direction * (fibre.area * fibre.material.tension(arm.behind.strain))
 }
+
+/// ∂(A T t*)/∂V, the change of that force with the velocity of the joint, N s/m.
+///
+/// From dV = −W′dε t + q′dε (t − t*) − q dt* with q = Uλ, W′ = dW/dε*, cos γ = t·t*:
+///
+/// ```text
+/// dε = −t*·dV/D        D = q′(1 − cos γ) + W′cos γ
+/// d(T t*) = −ρU [dV + ((w² − U²)t*/2 + U(q′ − W′)t) t*·dV/(UD)]
+/// ```
+///
+/// where w² = T′/ρ, 2Uq′ = w² + U², and W′ = (w² + s²)/(2s) for a wave whose last disturbance runs
+/// at s: w behind a fan, the speed of a shock behind a shock.
+fn softening<M: Elastic>(fibre: &Crossing<'_, M>, arm: &Arm) -> Matrix3<f64> {
+    let (material, strain) = (fibre.material, arm.between.strain);
+    let (u, w) = (material.kink_speed(strain), material.wave_speeds(strain, strain).0);
+    let s = material.wave_speeds(arm.ahead.strain, strain).1;
+    let (t, turned) = (arm.between.direction, arm.behind.direction);
+    // 1 − cos γ without its cancellation.
+    let bend = (t - turned).norm_squared() / 2.0;
+    let uq = (w * w + u * u) / 2.0;
+    let uw = u * (w * w + s * s) / (2.0 * s);
+    let ud = uq * bend + uw * (1.0 - bend);
+    let along = turned * ((w * w - u * u) / 2.0) + t * (uq - uw);
+    (Matrix3::identity() + along * turned.transpose() / ud) * (-fibre.area * material.density() * u)
+}
+
+#[cfg(test)]
+mod tests;

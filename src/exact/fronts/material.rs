@@ -120,7 +120,18 @@ impl Polygon {
 
     /// √([T]/(ρ[ε])): an unloading wave of a concave law is one shock.
     fn shock_speed(&self, from: f64, to: f64) -> f64 {
-        ((self.tension(to) - self.tension(from)) / (self.density * (to - from))).sqrt()
+        let ((first, above), (last, part)) = (self.chord(from), self.chord(to));
+        if first == last {
+            return self.speed[first];
+        }
+        // [T]/ρ from `to` to the vertex above it, from vertex to vertex, and on to `from`: of a
+        // weak wave the difference of two tensions would keep no digits, not even its sign.
+        let square = |chord: usize| self.speed[chord] * self.speed[chord];
+        let below = self.spacing - part;
+        let between = (first - last - 1) as f64 * self.spacing;
+        let whole = (self.tension[first] - self.tension[last + 1]) / self.density;
+        let drop = square(last) * below + whole + square(first) * above;
+        (drop / (below + between + above)).sqrt()
     }
 }
 

@@ -223,6 +223,22 @@ impl<M: PiecewiseLinear> Span<M> {
         waves.dropped
     }
 
+    /// Pieces (where each begins, its state) at a time, each step between them solved anew.
+    #[cfg(test)]
+    pub fn set(&mut self, pieces: &[(f64, State)], time: f64, weakest: f64) {
+        self.first = pieces[0].1;
+        self.fronts.clear();
+        for pair in pieces.windows(2) {
+            let (left, (at, right)) = (pair[0].1, pair[1]);
+            let arms = interior(&self.material, left, right).unwrap();
+            let [leftward, rightward] = self.leaving(&arms, weakest);
+            let middle = rightward.at_joint(right);
+            self.fronts.extend(leftwards(&leftward.kept, middle, at, time));
+            self.fronts.extend(rightwards(&rightward.kept, right, at, time));
+        }
+        self.schedule(time);
+    }
+
     /// Finds the next meeting.
     fn schedule(&mut self, now: f64) {
         let mut next = (f64::INFINITY, Meeting::Start);
