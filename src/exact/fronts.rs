@@ -66,8 +66,8 @@ pub struct Limits {
     /// Strength (in strain) below which a wave is left out, and strength times distance (over the
     /// length of the fibre) up to which a front is taken into a meeting beside it.
     pub resolution: f64,
-    /// The most meetings of fronts, which also bounds the fronts: a meeting adds at most four on a
-    /// straight-line law.
+    /// The most meetings of fronts, which also bounds the fronts: on a straight-line law four leave
+    /// a meeting of two, six the crossover.
     pub events: u64,
 }
 
@@ -76,7 +76,7 @@ pub struct Limits {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Ended {
-    /// A fibre goes slack: what it then does the equations of taut fibres do not say.
+    /// A fibre goes slack: it would be [folded](Arm::is_folded).
     Slack {
         /// Which fibre.
         fibre: Fibre,
@@ -357,7 +357,8 @@ impl<M: PiecewiseLinear> Fronts<M> {
     }
 
     /// The bound of the mean error of strain along a fibre: the strengths of all waves left out,
-    /// and strength times distance over length of all fronts merged, summed up.
+    /// and strength times distance over length of all fronts merged, summed up. What it is proved
+    /// and measured to bound: `docs/exact/fronts.md`.
     pub fn error_bound(&self) -> f64 {
         self.left_out
     }
