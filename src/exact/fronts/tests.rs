@@ -24,6 +24,23 @@ fn paper() -> Problem<Line> {
     }
 }
 
+/// Unequal fibres without a common measure.
+fn unequal() -> Problem<Line> {
+    Problem {
+        primary: Clamped { material: ARAMID, area: 0.91e-6, length: 0.317 },
+        secondary: Some(Across {
+            fibre: Clamped {
+                material: Line { modulus: 91.3e9, density: 1713.0 },
+                area: 1.37e-6,
+                length: 0.141,
+            },
+            at: 0.083,
+            slide_factor: 1.0,
+        }),
+        velocity: 311.7,
+    }
+}
+
 fn alone(length: f64) -> Problem<Line> {
     Problem { primary: Clamped { length, ..paper().primary }, secondary: None, velocity: 411.3 }
 }

@@ -62,6 +62,36 @@ fn gap(problem: &Problem<Line>, fronts: &Fronts<Line>) -> f64 {
     (primary + secondary) / (length + across.fibre.length)
 }
 
+#[test]
+fn early_motion_is_in_balance_to_ten_digits() {
+    for (problem, time) in [(paper(), 45e-6), (unequal(), 39e-6)] {
+        let fronts = at(&problem, 1e-14, time);
+        assert!(fronts.events() > 1_000);
+        // 1e-14 of strain left out at each of some thousand meetings, of strains around 1e-2.
+        let found = imbalance(&problem, &fronts);
+        assert!(found.momentum < 1e-10 * found.impulses, "{:e}", found.momentum / found.impulses);
+        assert!(found.energy < 1e-10 * found.work, "{:e}", found.energy / found.work);
+        let gap = gap(&problem, &fronts);
+        assert!(gap < 1e-10, "{gap:e}");
+    }
+}
+
+#[test]
+fn kinks_reach_the_clamps_of_a_short_secondary_in_balance() {
+    // At 3000 m/s a kink runs at a third of the speed of sound: the secondary's is at its clamp
+    // after 3 of the 10 µs that follow the first wave.
+    let mut problem = unequal();
+    problem.velocity = 3001.7;
+    problem.secondary.as_mut().unwrap().fibre.length = 0.0071;
+    let fronts = at(&problem, 1e-5, 17.3e-6);
+    let clamped = fronts.segments(Fibre::Secondary).pop().unwrap().state;
+    assert!(clamped.direction.x > 0.1, "{clamped:?}");
+    let found = imbalance(&problem, &fronts);
+    // Measured 1e-4 of each, a 600th of what 2000 meetings left out at this resolution.
+    assert!(found.momentum < 1e-3 * found.impulses, "{:e}", found.momentum / found.impulses);
+    assert!(found.energy < 1e-3 * found.work, "{:e}", found.energy / found.work);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     #[test]
@@ -89,16 +119,11 @@ proptest! {
             let found = imbalance(&problem, &fronts);
             // A sliding crossover passes on forces by virtual work: energy, not momentum.
             let momentum = if slides && !at_origin { 0.0 } else { found.momentum };
-            let bound = fronts.error_bound();
-            // The relation of the next test, and 1e-10 for the rounding of positions. Both are
-            // worst where 2000 meetings leave out 1e-15 each of strains around 1e-3; as a rule the
-            // sums are below 1e-10.
-            let left_out = found.unit * bound;
+            // The relation of the next test, and rounding.
+            let left_out = found.unit * fronts.error_bound();
             prop_assert!(momentum < 1e-10 * found.impulses + left_out, "{momentum:e}");
-            prop_assert!(momentum < 1e-9 * found.impulses, "{momentum:e}");
-            let energy = found.energy;
-            prop_assert!(energy < 1e-10 * found.work + left_out * problem.velocity, "{energy:e}");
-            prop_assert!(energy < 1e-9 * found.work, "{energy:e}");
+            let (energy, lost) = (found.energy, left_out * problem.velocity);
+            prop_assert!(energy < 1e-10 * found.work + lost, "{energy:e}");
             let gap = gap(&problem, &fronts);
             prop_assert!(gap < 1e-9, "{gap:e}");
         }
@@ -163,10 +188,10 @@ proptest! {
         prop_assert!(!beyond, "{ended:?}");
         prop_assert!(ended.is_some() || fronts.time() == time);
         for fibre in [Fibre::Primary, Fibre::Secondary] {
-            let mut reached = 0.0;
+            let mut reached: f64 = 0.0;
             for s in fronts.segments(fibre) {
                 // In order, each to a rounding of its place.
-                prop_assert!(s.from == reached && s.to >= s.from - 1e-13, "{s:?} {reached}");
+                prop_assert!((s.from - reached).abs() < 1e-13 && s.to >= s.from, "{s:?} {reached}");
                 prop_assert!(s.state.strain >= 0.0 && s.state.strain.is_finite());
                 prop_assert!(s.state.velocity.iter().all(|v| v.is_finite()));
                 prop_assert!((s.state.direction.norm() - 1.0).abs() < 1e-15 * 4.0);

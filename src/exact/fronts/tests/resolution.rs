@@ -2,23 +2,6 @@
 
 use super::*;
 
-/// Unequal fibres without a common measure.
-fn unequal() -> Problem<Line> {
-    Problem {
-        primary: Clamped { material: ARAMID, area: 0.91e-6, length: 0.317 },
-        secondary: Some(Across {
-            fibre: Clamped {
-                material: Line { modulus: 91.3e9, density: 1713.0 },
-                area: 1.37e-6,
-                length: 0.141,
-            },
-            at: 0.083,
-            slide_factor: 1.0,
-        }),
-        velocity: 311.7,
-    }
-}
-
 #[test]
 fn looking_on_the_way_changes_nothing() {
     for problem in [paper(), unequal()] {
