@@ -11,6 +11,9 @@
 //! | [`wave`] | fans and shocks of one longitudinal wave, its profile and what it dissipates | the same |
 //! | [`smith`] | transverse impact on one long fibre of any of these laws | until the first reflection comes back |
 //! | [`crossover`] | what a crossing fibre reflects, lets through and diverts | until a wave from the kink returns |
+//! | [`riemann`] | what leaves a joint at which uniform pieces meet | until the next meeting |
+//! | [`fronts`] | the crossed fibres, every front followed | until a fibre goes slack |
+//! | [`motion`] | the same for a curved law or a projectile with mass | the same |
 //! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
 //! | [`dispersion`] | waves and growth of the leapfrog scheme | uniform linear fibre |
 

@@ -343,15 +343,16 @@ fn pull<M: Elastic>(fibre: &Crossing<'_, M>, arm: &Arm) -> Vector3<f64> {
 /// at s: w behind a fan, the speed of a shock behind a shock.
 fn softening<M: Elastic>(fibre: &Crossing<'_, M>, arm: &Arm) -> Matrix3<f64> {
     let (material, strain) = (fibre.material, arm.between.strain);
-    let (u, w) = (material.kink_speed(strain), material.wave_speeds(strain, strain).0);
+    let u = material.kink_speed(strain);
+    let w_squared = material.tangent_modulus(strain) / material.density();
     let s = material.wave_speeds(arm.ahead.strain, strain).1;
     let (t, turned) = (arm.between.direction, arm.behind.direction);
     // 1 − cos γ without its cancellation.
     let bend = (t - turned).norm_squared() / 2.0;
-    let uq = (w * w + u * u) / 2.0;
-    let uw = u * (w * w + s * s) / (2.0 * s);
+    let uq = (w_squared + u * u) / 2.0;
+    let uw = u * (w_squared + s * s) / (2.0 * s);
     let ud = uq * bend + uw * (1.0 - bend);
-    let along = turned * ((w * w - u * u) / 2.0) + t * (uq - uw);
+    let along = turned * ((w_squared - u * u) / 2.0) + t * (uq - uw);
     (Matrix3::identity() + along * turned.transpose() / ud) * (-fibre.area * material.density() * u)
 }
 

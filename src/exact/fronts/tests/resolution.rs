@@ -166,3 +166,50 @@ fn kink_that_reaches_a_sliding_crossover_ends_the_motion() {
     problem.secondary.as_mut().unwrap().slide_factor = 1.0;
     at(&problem, 1e-6, time + 10e-6);
 }
+
+#[test]
+fn front_that_follows_another_closely_is_merged_into_its_reflection_and_counted() {
+    let problem = alone(0.3);
+    let delta = 1e-6;
+    let mut fronts = Fronts::new(&problem, Limits { resolution: delta, events: 100 });
+    // A second, weaker step of the velocity, 0.7 mm behind the first.
+    fronts.advance(0.1e-6).unwrap();
+    fronts.strike(412.0);
+    fronts.advance(42.9e-6).unwrap();
+    let segments = fronts.segments(Fibre::Primary);
+    let [.., before, behind, ahead] = &segments[..] else { panic!("{segments:?}") };
+    assert_eq!(ahead.state.strain, 0.0);
+    let (strength, distance) =
+        ((before.state.strain - behind.state.strain).abs(), behind.to - behind.from);
+    assert!(strength > 10.0 * delta && strength * distance < delta * 0.3);
+    let bound = fronts.error_bound();
+    fronts.advance(43.1e-6).unwrap();
+    let counted = fronts.error_bound() - bound;
+    // Strains of 1e-5 out of 1e-2: three digits less.
+    assert!((counted / (strength * distance / 0.3) - 1.0).abs() < 1e-9, "{counted:e}");
+    // Both were reflected at once, doubled.
+    let doubled = state(&fronts, Fibre::Primary, 0.2999).strain;
+    assert!((doubled / (2.0 * before.state.strain) - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn ways_of_fronts_begin_where_others_end() {
+    let problem = unequal();
+    let mut fronts = Fronts::new(&problem, Limits { resolution: 1e-8, events: 10_000 });
+    fronts.record();
+    fronts.advance(63e-6).unwrap();
+    let tracks = fronts.tracks();
+    for ended in tracks.iter().filter(|track| track.to.1 < fronts.time()) {
+        let (x, time) = ended.to;
+        // Merged from at most so far.
+        let near = 1e-8 * 0.317 / ended.strength + 1e-12;
+        let goes_on = |next: &&Track| {
+            let (from, made) = next.from;
+            next.fibre == ended.fibre && made == time && (from - x).abs() <= near
+        };
+        assert!(tracks.iter().any(|track| goes_on(&track)), "{ended:?}");
+    }
+    // Beyond the crossover fronts have met each other.
+    let beyond = |track: &&Track| track.to.0 > 0.084 && track.to.0 < 0.316;
+    assert!(tracks.iter().filter(beyond).count() > 10);
+}
