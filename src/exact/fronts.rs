@@ -4,7 +4,7 @@
 //! jump, longitudinal fronts run at c and kinks at c√(ε/(1 + ε)) in the Lagrangian coordinate,
 //! and between them the fibre is uniform. So the whole motion is a list of fronts, and whenever
 //! two of them meet, or one reaches an end or the crossover, a Riemann problem
-//! ([`riemann`](super::riemann)) says what leaves. Waves weaker than a stated strength are left
+//! ([`riemann`]) says what leaves. Waves weaker than a stated strength are left
 //! out; the sum of what was left out is the solution's own
 //! [error](Fronts::error_bound).
 //!

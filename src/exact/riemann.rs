@@ -241,9 +241,9 @@ pub struct Junction {
 /// A₁T(ε_L*) t_L* + A₁T(ε_R*) t_R* + 2 S A₂T₂(ε₂*) t₂* = 0   in the x–y plane
 /// ```
 ///
-/// Two unknowns, V_x and V_y. Each force is a strictly monotone function of V (its Jacobian, see
-/// [`softening`], is negative definite), so there is at most one solution, and a short enough step
-/// along Newton's direction always leads towards it.
+/// Two unknowns, V_x and V_y. Each force is a strictly monotone function of V (its Jacobian is
+/// negative definite), so there is at most one solution, and a short enough step along Newton's
+/// direction always leads towards it.
 pub fn junction<M: Elastic>(
     primary: Crossing<'_, M>,
     left: State,
