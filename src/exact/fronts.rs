@@ -11,54 +11,22 @@
 //! A [`Polygon`] in place of the straight line gives converging approximations of a concave law.
 //! Derivation, range and tests: `docs/exact/fronts.md`.
 
-use std::fmt;
-
 use nalgebra::Vector3;
-use serde::Serialize;
 
 use super::riemann::{self, Arm, Crossing, RiemannError, State};
 use crate::place::Fibre;
 use span::{Front, Meeting, Resolution, Span};
 
+pub use ended::Ended;
 pub use material::{Line, PiecewiseLinear, Polygon};
 pub use outgoing::Family;
+pub use problem::{Across, Clamped, Problem};
 
+mod ended;
 mod material;
 mod outgoing;
+mod problem;
 mod span;
-
-/// A straight fibre at rest, clamped at its end: one half of it.
-#[derive(Debug, Clone)]
-pub struct Clamped<M> {
-    /// Its material.
-    pub material: M,
-    /// Reference area, m².
-    pub area: f64,
-    /// Unstrained length from the impact point (the crossover) to the clamp, m.
-    pub length: f64,
-}
-
-/// The fibre that crosses.
-#[derive(Debug, Clone)]
-pub struct Across<M> {
-    /// The half of it at z > 0.
-    pub fibre: Clamped<M>,
-    /// Where it crosses the primary, m from the impact point; 0 for both at the origin.
-    pub at: f64,
-    /// α_s.
-    pub slide_factor: f64,
-}
-
-/// Two crossed fibres, the primary along x struck at its middle, at time 0, in direction y.
-#[derive(Debug, Clone)]
-pub struct Problem<M> {
-    /// The struck fibre.
-    pub primary: Clamped<M>,
-    /// The crossing fibre.
-    pub secondary: Option<Across<M>>,
-    /// Velocity of the projectile, m/s.
-    pub velocity: f64,
-}
 
 /// What bounds the work.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,73 +38,6 @@ pub struct Limits {
     /// a meeting of two, six the crossover.
     pub events: u64,
 }
-
-/// Why the solution does not go on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(tag = "kind", rename_all = "snake_case")]
-pub enum Ended {
-    /// A fibre goes slack: it would be [folded](Arm::is_folded).
-    Slack {
-        /// Which fibre.
-        fibre: Fibre,
-        /// Where, m from the impact point (the crossover).
-        at: f64,
-        /// When, s.
-        time: f64,
-    },
-    /// The tension law has no waves at the strain that would follow.
-    BeyondTheLaw {
-        /// Which fibre.
-        fibre: Fibre,
-        /// Where, m.
-        at: f64,
-        /// When, s.
-        time: f64,
-    },
-    /// A kink reaches a crossover that slides (α_s < 1): along which of the two directions it
-    /// slides from there on, the model does not say.
-    SlidesOnKink {
-        /// When, s.
-        time: f64,
-    },
-    /// More meetings of fronts than [`Limits`] allow.
-    TooMany {
-        /// When, s.
-        time: f64,
-        /// Meetings so far.
-        events: u64,
-    },
-}
-
-impl fmt::Display for Ended {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Slack { fibre, at, time } => {
-                write!(
-                    f,
-                    "the {} fibre goes slack at {at:.6} m, {:.4} µs",
-                    fibre.name(),
-                    time * 1e6
-                )
-            }
-            Self::BeyondTheLaw { fibre, at, time } => write!(
-                f,
-                "the {} fibre is strained beyond the range of its law at {at:.6} m, {:.4} µs",
-                fibre.name(),
-                time * 1e6
-            ),
-            Self::SlidesOnKink { time } => {
-                write!(f, "a kink reaches the sliding crossover at {:.4} µs", time * 1e6)
-            }
-            Self::TooMany { time, events } => {
-                write!(f, "{events} meetings of fronts by {:.4} µs are the limit", time * 1e6)
-            }
-        }
-    }
-}
-
-impl std::error::Error for Ended {}
 
 /// A uniform piece of a fibre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,6 +88,8 @@ pub struct Fronts<M> {
     events: u64,
     limits: Limits,
     left_out: f64,
+    /// Strain that the impact gives.
+    impact_strain: f64,
     tracks: Option<Vec<Track>>,
     /// Up to the last meeting.
     accounts: Accounts,
@@ -226,26 +129,6 @@ enum Joint {
     Clamp,
 }
 
-impl<M> Problem<M> {
-    /// The same problem with other materials.
-    pub fn map<N>(&self, material: impl Fn(&M) -> N) -> Problem<N> {
-        let map = |fibre: &Clamped<M>| Clamped {
-            material: material(&fibre.material),
-            area: fibre.area,
-            length: fibre.length,
-        };
-        Problem {
-            primary: map(&self.primary),
-            secondary: self.secondary.as_ref().map(|across| Across {
-                fibre: map(&across.fibre),
-                at: across.at,
-                slide_factor: across.slide_factor,
-            }),
-            velocity: self.velocity,
-        }
-    }
-}
-
 impl<M: PiecewiseLinear + Clone> Fronts<M> {
     /// The moment of impact.
     pub fn new(problem: &Problem<M>, limits: Limits) -> Self {
@@ -275,12 +158,14 @@ impl<M: PiecewiseLinear + Clone> Fronts<M> {
             events: 0,
             limits,
             left_out: 0.0,
+            impact_strain: 0.0,
             tracks: None,
             accounts: Accounts::default(),
             settled: 0.0,
             ended: None,
         };
         fronts.strike(problem.velocity);
+        fronts.impact_strain = fronts.spans[0].start().strain;
         fronts
     }
 }
@@ -323,6 +208,9 @@ impl<M: PiecewiseLinear> Fronts<M> {
             return Err(Ended::TooMany { time: self.time, events: self.events });
         }
         self.events += 1;
+        if self.left_out > self.impact_strain {
+            return Err(Ended::Unresolved { time: self.time });
+        }
         match (meeting, self.joint(span, meeting)) {
             (Meeting::Fronts(index), _) => self.interior(span, index),
             (_, Joint::Projectile) => self.held(span, meeting, self.velocity),
@@ -399,12 +287,9 @@ impl<M: PiecewiseLinear> Fronts<M> {
             let mut pieces = span.pieces(self.time).peekable();
             while let Some((from, state)) = pieces.next() {
                 let to = pieces.peek().map_or(span.length, |(next, _)| *next);
+                let (from, to) = (span.offset + from, span.offset + to);
                 if to > from {
-                    segments.push(Segment {
-                        from: span.offset + from,
-                        to: span.offset + to,
-                        state,
-                    });
+                    segments.push(Segment { from, to, state });
                 }
             }
         }

@@ -41,7 +41,7 @@ pub struct Motion {
     pub events: u64,
     /// What waves and distances were resolved ([`Limits::resolution`]).
     pub resolution: f64,
-    /// Bound of the mean error of strain along a fibre: [`Fronts::error_bound`], and twice the mean
+    /// Bound of the mean error of strain along a fibre: [`Fronts::error_bound`], and the mean
     /// difference from the solution with half as many chords and steps where there are any.
     pub error_bound: f64,
 }
@@ -106,7 +106,7 @@ fn converged<'p, M: PiecewiseLinear + Clone + 'p>(
         let (_, coarse) = solve(2);
         let apart = |fibre, fine| mean_difference(fine, &coarse.segments(fibre));
         let difference = apart(Fibre::Primary, &primary).max(apart(Fibre::Secondary, &secondary));
-        error_bound += coarse.error_bound() + 2.0 * difference;
+        error_bound += coarse.error_bound() + difference;
     }
     let velocity = mass.map_or(0.0, |mass| fronts.accounts().braking / mass);
     Motion {
@@ -170,3 +170,6 @@ pub fn mean_difference(a: &[Segment], b: &[Segment]) -> f64 {
     }
     if from > 0.0 { sum / from } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests;

@@ -30,8 +30,6 @@ pub(super) struct Waves {
     pub kept: Vec<Outgoing>,
     /// Sum of the strengths of the waves left out.
     pub dropped: f64,
-    /// Strength of the strongest wave, kept or not.
-    pub strongest: f64,
 }
 
 impl Waves {
@@ -63,7 +61,6 @@ impl Waves {
     }
 
     fn add(&mut self, wave: Outgoing, weakest: f64) {
-        self.strongest = self.strongest.max(wave.strength);
         if wave.strength >= weakest && wave.strength > 0.0 {
             self.kept.push(wave);
         } else {

@@ -141,7 +141,8 @@ impl<M: PiecewiseLinear> Span<M> {
         let left = if from == 0 { self.first } else { self.fronts[from - 1].right };
         let right = self.fronts[to - 1].right;
         let arms = interior(&self.material, left, right)?;
-        let [leftward, rightward] = self.leaving(&arms, resolution.weakest);
+        let [leftward, rightward] =
+            arms.map(|arm| Waves::of(&self.material, &arm, resolution.weakest));
         let merged = self.moment(&self.fronts[from..to], distance);
         self.fronts[from..to].iter().for_each(ended);
         let middle = if rightward.kept.is_empty() {
@@ -159,16 +160,6 @@ impl<M: PiecewiseLinear> Span<M> {
     /// Strength times distance over the length of the span, summed over merged fronts.
     fn moment(&self, merged: &[Front], distance: impl Fn(&Front) -> f64) -> LeftOut {
         merged.iter().map(|front| front.strength * distance(front)).sum::<f64>() / self.length
-    }
-
-    /// The waves of both arms; at least one, since the outer states are to stay as they are.
-    fn leaving(&self, arms: &[Arm; 2], weakest: f64) -> [Waves; 2] {
-        let waves = |weakest| arms.map(|arm| Waves::of(&self.material, &arm, weakest));
-        let [left, right] = waves(weakest);
-        if left.kept.is_empty() && right.kept.is_empty() {
-            return waves(left.strongest.max(right.strongest));
-        }
-        [left, right]
     }
 
     /// Takes away the fronts that are not to be told apart from the joint at coordinate 0.
@@ -231,7 +222,7 @@ impl<M: PiecewiseLinear> Span<M> {
         for pair in pieces.windows(2) {
             let (left, (at, right)) = (pair[0].1, pair[1]);
             let arms = interior(&self.material, left, right).unwrap();
-            let [leftward, rightward] = self.leaving(&arms, weakest);
+            let [leftward, rightward] = arms.map(|arm| Waves::of(&self.material, &arm, weakest));
             let middle = rightward.at_joint(right);
             self.fronts.extend(leftwards(&leftward.kept, middle, at, time));
             self.fronts.extend(rightwards(&rightward.kept, right, at, time));
