@@ -19,6 +19,7 @@
 //! `docs/exact/crossover.md`.
 
 use pxfm::{f_log1p, f_tanh};
+use serde::{Deserialize, Serialize};
 
 use super::root::first_reaching;
 use super::smith::{
@@ -26,7 +27,9 @@ use super::smith::{
 };
 
 /// Strains around a crossover as fractions of the incident strain.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
 pub struct Coefficients {
     /// R = (ε_b − ε_i)/ε_i.
     pub reflection: f64,

@@ -1,5 +1,6 @@
 //! The exact motion of a scene as a file, `crossfibre-exact/1`.
 
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::fronts::{Ended, Segment};
 use crossfibre::exact::motion::{Motion, motion};
 use crossfibre::exact::smith::{Law, Strain as ExactStrain};
@@ -52,17 +53,6 @@ pub struct Piece {
     pub direction: Vec<f64>,
 }
 
-/// Fractions of the incident strain.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Coefficients {
-    /// What comes back on the primary.
-    pub reflection: f64,
-    /// What goes on along the primary.
-    pub transmission: f64,
-    /// What runs along each arm of the secondary.
-    pub diversion: f64,
-}
-
 /// How the motion was solved.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct Solution {
@@ -85,11 +75,6 @@ impl ExactFile {
     pub fn of(scene: &Scene, time: f64) -> (Self, Motion) {
         let solved = motion(&closed_form::problem(scene), scene.projectile.mass, time);
         let law = closed_form::law(scene);
-        let coefficients = closed_form::coefficients(scene).map(|c| Coefficients {
-            reflection: c.reflection,
-            transmission: c.transmission,
-            diversion: c.diversion,
-        });
         let file = Self {
             format: "crossfibre-exact/1",
             title: scene.title.clone(),
@@ -100,7 +85,7 @@ impl ExactFile {
             primary: pieces(law, &solved.primary, 2),
             secondary: pieces(law, &solved.secondary, 3),
             projectile_velocity: solved.projectile_velocity,
-            coefficients,
+            coefficients: closed_form::coefficients(scene),
             error_bound: solved.error_bound,
         };
         (file, solved)

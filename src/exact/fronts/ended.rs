@@ -11,7 +11,7 @@ use crate::place::Fibre;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Ended {
-    /// A fibre goes slack: it would be [folded](Arm::is_folded).
+    /// A fibre goes slack: it would be [folded](crate::exact::riemann::Arm::is_folded).
     Slack {
         /// Which fibre.
         fibre: Fibre,

@@ -1,8 +1,9 @@
 //! Figs 4 to 7: coefficients against the modulus and the slide factor.
 
-use crossfibre::scene::{Scene, Strain};
+use crossfibre::exact::crossover::Coefficients;
+use crossfibre::scene::Strain;
 
-use super::points::{Abscissa, CURVES, Edition, Ratios, curve_id, element};
+use super::points::{Abscissa, CURVES, Edition, curve_id, element};
 use super::table::{Table, cell};
 use super::{Snapshots, Window};
 use crate::cases::crossover::exact_coefficients;
@@ -14,7 +15,7 @@ use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 struct Coefficient {
     title: &'static str,
     label: &'static str,
-    of: fn(&Ratios) -> f64,
+    of: fn(&Coefficients) -> f64,
 }
 
 const REFLECTION: Coefficient =
@@ -23,16 +24,6 @@ const TRANSMISSION: Coefficient =
     Coefficient { title: "Transmission", label: "T", of: |ratios| ratios.transmission };
 const DIVERSION: Coefficient =
     Coefficient { title: "Diversion", label: "D of one arm", of: |ratios| ratios.diversion };
-
-/// The closed form of a scene, in its measure.
-pub fn exact(scene: &Scene) -> Ratios {
-    let exact = exact_coefficients(scene);
-    Ratios {
-        reflection: exact.reflection,
-        transmission: exact.transmission,
-        diversion: exact.diversion,
-    }
-}
 
 /// A curve of the scheme: equations and mesh, windows, name, and how it is drawn.
 struct Curve {
@@ -88,7 +79,7 @@ fn panel(
     // Fine enough that a picture shows a curve.
     let smooth = (0..=190).map(|k| {
         let x = from + (to - from) * f64::from(k) / 190.0;
-        (x, (coefficient.of)(&exact(&over.scene(x))))
+        (x, (coefficient.of)(&exact_coefficients(&over.scene(x))))
     });
     let mut series =
         vec![Series::new("closed form", Colour::Black, Style::Solid(1.6), smooth.collect())];
@@ -151,7 +142,7 @@ pub fn table(snapshots: &Snapshots, over: Abscissa) -> String {
         "D of one arm [1]",
     ]);
     for x in over.values() {
-        let numbers = |ratios: Option<Ratios>| {
+        let numbers = |ratios: Option<Coefficients>| {
             [REFLECTION, TRANSMISSION, DIVERSION]
                 .map(|coefficient| cell(ratios.as_ref().map(coefficient.of)))
         };
@@ -162,8 +153,8 @@ pub fn table(snapshots: &Snapshots, over: Abscissa) -> String {
         };
         let scene = over.scene(x);
         let engineering = measured_by(Strain::Engineering, scene.clone());
-        row(["closed form", "logarithmic", "", "", ""], Some(exact(&scene)));
-        row(["closed form", "engineering", "", "", ""], Some(exact(&engineering)));
+        row(["closed form", "logarithmic", "", "", ""], Some(exact_coefficients(&scene)));
+        row(["closed form", "engineering", "", "", ""], Some(exact_coefficients(&engineering)));
         for (edition, factor) in CURVES {
             let snapshot = snapshots.of(&curve_id(over, x, edition, factor));
             let equations = if edition == Edition::Printed { "printed" } else { "corrected" };

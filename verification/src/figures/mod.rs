@@ -10,9 +10,10 @@ pub mod points;
 mod table;
 mod window;
 
+use crossfibre::exact::crossover::Coefficients;
 use std::collections::BTreeMap;
 
-use points::{Edition, Ratios, Run, Snapshot, Strains};
+use points::{Edition, Run, Snapshot, Strains};
 
 use crate::sweep::Point;
 
@@ -55,7 +56,7 @@ impl Window {
         }
     }
 
-    fn of(self, snapshot: &Snapshot) -> Option<Ratios> {
+    fn of(self, snapshot: &Snapshot) -> Option<Coefficients> {
         match self {
             Self::BetweenFronts => snapshot.between_fronts,
             Self::Fixed => snapshot.fixed,

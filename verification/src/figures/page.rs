@@ -1,15 +1,15 @@
 //! The page that shows the pictures. Its numbers are measured here, not typed.
 
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::scene::{Scene, Strain};
 
-use super::curves::exact;
 use super::fig3::{Plateau, plateaus_of};
 use super::points::{
-    Abscissa, CONVERGED, Edition, HALVED, PROFILE_MESHES, Ratios, Snapshot, curve_id, element,
-    profile_id,
+    Abscissa, CONVERGED, Edition, HALVED, PROFILE_MESHES, Snapshot, curve_id, element, profile_id,
 };
 use super::window::{Family, WIDTHS, exact_extremes, extremes};
 use super::{Snapshots, Window, fig3};
+use crate::cases::crossover::exact_coefficients;
 use crate::cases::support::{measured_by, shipped};
 
 /// The page.
@@ -35,7 +35,7 @@ fn table(head: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// R, T and D in four decimals; dashes where the run did not complete.
-fn in_words(ratios: Option<Ratios>) -> [String; 3] {
+fn in_words(ratios: Option<Coefficients>) -> [String; 3] {
     ratios.map_or([(); 3].map(|()| "–".into()), |r| {
         [r.reflection, r.transmission, r.diversion].map(|x| format!("{x:.4}"))
     })
@@ -93,7 +93,7 @@ fibre length away from the oscillation region\" and does not say which. Two ways
     )
 }
 
-fn apart(a: Ratios, b: Ratios) -> f64 {
+fn apart(a: Coefficients, b: Coefficients) -> f64 {
     [a.reflection - b.reflection, a.transmission - b.transmission, a.diversion - b.diversion]
         .into_iter()
         .fold(0.0, |most, x| most.max(x.abs()))
@@ -121,7 +121,8 @@ fn off_by_sliding(snapshots: &Snapshots) -> f64 {
         .into_iter()
         .filter_map(|x| {
             let id = curve_id(Abscissa::Slide, x, Edition::Engineering, CONVERGED);
-            let exact = exact(&measured_by(Strain::Engineering, Abscissa::Slide.scene(x)));
+            let exact =
+                exact_coefficients(&measured_by(Strain::Engineering, Abscissa::Slide.scene(x)));
             Some(apart(snapshots.of(&id).between_fronts?, exact))
         })
         .fold(0.0, f64::max)
@@ -140,7 +141,7 @@ fn fig3_section(snapshots: &Snapshots) -> String {
     let engineering = measured_by(Strain::Engineering, scene.clone());
     let mut rows = Vec::new();
     for (name, scene) in [("strain of (4)", &scene), ("engineering strain", &engineering)] {
-        let exact = in_words(Some(exact(scene)));
+        let exact = in_words(Some(exact_coefficients(scene)));
         rows.push(
             [vec![format!("closed form, {name}"), "–".into()], exact.to_vec(), vec!["–".into()]]
                 .concat(),
@@ -202,11 +203,11 @@ fn rows(snapshots: &Snapshots, over: Abscissa, values: &[f64]) -> Vec<Vec<String
     let mut rows = Vec::new();
     for &x in values {
         let scene: Scene = over.scene(x);
-        let row = |name: String, ratios, fixed: Option<Ratios>| {
+        let row = |name: String, ratios, fixed: Option<Coefficients>| {
             let last = in_words(fixed)[0].clone();
             [vec![format!("{x}"), name], in_words(ratios).to_vec(), vec![last]].concat()
         };
-        rows.push(row("closed form".into(), Some(exact(&scene)), None));
+        rows.push(row("closed form".into(), Some(exact_coefficients(&scene)), None));
         for (edition, factor) in runs {
             let snapshot = snapshots.of(&curve_id(over, x, edition, factor));
             let name = format!("{}, {}", edition.label(), mm(factor));
@@ -254,8 +255,8 @@ only for the stiffest fibres in that window. On that mesh the oscillations of st
 through the windows.
 
 {}",
-        exact(&Abscissa::Modulus.scene(10.0)).reflection,
-        exact(&Abscissa::Modulus.scene(200.0)).reflection,
+        exact_coefficients(&Abscissa::Modulus.scene(10.0)).reflection,
+        exact_coefficients(&Abscissa::Modulus.scene(200.0)).reflection,
         reflection(printed, Window::BetweenFronts),
         reflection(corrected, Window::BetweenFronts),
         reflection(printed, Window::Fixed),

@@ -1,6 +1,7 @@
 //! The runs of the study, and what is kept of each.
 
 use crossfibre::errata::Corrections;
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::outcome::Outcome;
 use crossfibre::scene::{Material, Scene, Strain};
 use serde::{Deserialize, Serialize};
@@ -202,24 +203,11 @@ pub struct Snapshot {
     /// Time reached, s.
     pub time: f64,
     /// Coefficients by means over windows between the exact fronts.
-    pub between_fronts: Option<Ratios>,
+    pub between_fronts: Option<Coefficients>,
     /// Coefficients by means over fixed windows.
-    pub fixed: Option<Ratios>,
+    pub fixed: Option<Coefficients>,
     /// The strains of both fibres, where they are asked for.
     pub strains: Option<Strains>,
-}
-
-/// Means of strain around the crossover as fractions of the exact incident strain, in the measure of
-/// the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ratios {
-    /// R: the mean behind the crossover, less 1.
-    pub reflection: f64,
-    /// T: the mean beyond it.
-    pub transmission: f64,
-    /// D: the mean on one arm of the secondary.
-    pub diversion: f64,
 }
 
 /// The strain of each element, outward.
@@ -255,12 +243,12 @@ pub fn mean_over(length: f64, of: &[f64], (from, to): (f64, f64)) -> f64 {
     of.iter().enumerate().map(|(i, x)| share(i) * x).sum::<f64>() / (to - from)
 }
 
-fn ratios(scene: &Scene, strains: &Strains, windows: Windows) -> Ratios {
+fn ratios(scene: &Scene, strains: &Strains, windows: Windows) -> Coefficients {
     let incident = component(scene, exact_single(scene).strain);
     let over = |length, strain: &[f64], window| mean_over(length, strain, window) / incident;
     let secondary = scene.secondary.as_ref().map_or(0.0, |secondary| secondary.length);
     let Strains { primary: on_primary, secondary: on_secondary } = strains;
-    Ratios {
+    Coefficients {
         reflection: over(scene.primary.length, on_primary, windows.behind) - 1.0,
         transmission: over(scene.primary.length, on_primary, windows.ahead),
         diversion: over(secondary, on_secondary, windows.diverted),
