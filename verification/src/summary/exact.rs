@@ -41,6 +41,7 @@ impl Exact {
         let mut exact = Self::default();
         if let Err(why) = exact.fill(scene, time) {
             exact.notes.push(why);
+            exact.notes.push("`crossfibre exact` follows every front, to any time".into());
         }
         exact
     }
@@ -243,6 +244,7 @@ mod tests {
         let mut heavy = fig3();
         heavy.projectile.mass = Some(0.0013);
         assert!(note(&heavy, 11.3e-6).contains("slows down"));
+        assert!(note(&heavy, 11.3e-6).contains("crossfibre exact"));
         let mut short = fig3();
         if let Some(secondary) = &mut short.secondary {
             secondary.length = 0.063;
