@@ -12,6 +12,7 @@
 //! | [`smith`] | transverse impact on one long fibre of any of these laws | until the first reflection comes back |
 //! | [`crossover`] | what a crossing fibre reflects, lets through and diverts | until a wave from the kink returns |
 //! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
+//! | [`viscoelastic`] | axial pull on a long rod of a spring and Maxwell arms, small strain | all times to 10⁷ of the shortest relaxation time |
 //! | [`dispersion`] | waves and growth of the leapfrog scheme | uniform linear fibre |
 
 pub mod crossover;
@@ -25,6 +26,7 @@ pub mod motion;
 pub mod polynomial;
 pub mod riemann;
 pub mod smith;
+pub mod viscoelastic;
 pub mod wave;
 
 mod gauss;
