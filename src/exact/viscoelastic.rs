@@ -105,7 +105,7 @@ impl PulledRod {
         velocity: f64,
     ) -> Result<Self, RodError> {
         positive("density", density)?;
-        if !(arms.len() > 0 && equilibrium_modulus == 0.0) {
+        if arms.is_empty() || equilibrium_modulus != 0.0 {
             positive("equilibrium modulus", equilibrium_modulus)?;
         }
         for arm in arms {

@@ -106,7 +106,7 @@ fn inversion_agrees_with_the_closed_form_of_a_maxwell_rod() {
         for since in [1.7e-9, 0.0137, 0.53, 2.9, 17.3, 211.0, 7.3e3] {
             let (found, expected) = both_routes(x, since);
             let error = difference(found, expected);
-                let tolerance = if x > 90.0 { 2e-13 } else { 2e-14 };
+            let tolerance = if x > 90.0 { 2e-13 } else { 2e-14 };
             assert!(error < tolerance, "{x} {since}: {error:e}");
         }
     }
@@ -146,7 +146,7 @@ fn slow_relaxation_leaves_the_elastic_rod_of_the_glassy_modulus() {
         let rod = PulledRod::new(density, 3.1e9, &[arm(5.7e9, slow)], VELOCITY).unwrap();
         let wave_speed = rod.front_speed();
         let elastic = Pull { length: 7.0, wave_speed, velocity: VELOCITY };
-        for (x, t) in [(0.0, 1.3e-4), (0.0173, 7.1e-6), (0.237, 9.31e-5), (0.237, 7.3e-4)] {
+        for (x, t) in [(0.0, 1.3e-4), (0.0173, 7.1e-6), (0.237, 9.51e-5), (0.237, 7.3e-4)] {
             let (strain, velocity) = (elastic.strain(x, t), elastic.velocity(x, t));
             let expected = RodState { stress: modulus * strain, strain, velocity };
             let error = difference(rod.at(x, t).unwrap(), expected);
@@ -160,63 +160,96 @@ fn slow_relaxation_leaves_the_elastic_rod_of_the_glassy_modulus() {
 
 #[test]
 fn fast_relaxation_leaves_the_elastic_rod_of_the_equilibrium_modulus() {
-    // Away from x = c∞t, and for E₁τ/E∞ ≪ t: behind it σ differs from E∞ε by the pull of the
-    // dashpots alone. The front itself has died, e^(−x/2cτ·E₁/E₀) < e⁻⁵⁰⁰.
-    let (density, spring) = (1390.0, 3.1e9);
+    // Away from x = c∞t by many widths √(κx/c∞), κ = E₁τ/E∞, what differs is below e⁻²⁰⁰; even in
+    // the widest wave here, 1.9 μs, 47 μs ahead of it and 40 μs ahead are 25 and 20 widths. Left is
+    // rounding by |φ| ulp a term, up to 2e4 at t/τ = 6e7, averaged: 1.2e-14 as seen.
+    let (density, spring) = (1390.0_f64, 3.1e9_f64);
     for fast in [1.3e-8, 1.3e-10, 1.3e-11] {
         let rod = PulledRod::new(density, spring, &[arm(5.7e9, fast)], VELOCITY).unwrap();
-        let wave_speed = (spring / density as f64).sqrt();
+        let wave_speed = (spring / density).sqrt();
         let elastic = Pull { length: 7.0, wave_speed, velocity: VELOCITY };
         for (x, t) in [(0.0173, 1.7e-5), (0.237, 1.99e-4), (0.237, 7.3e-4)] {
             let (strain, velocity) = (elastic.strain(x, t), elastic.velocity(x, t));
             let expected = RodState { stress: spring * strain, strain, velocity };
             let error = difference(rod.at(x, t).unwrap(), expected);
-            println!("{fast:e} {x} {t} {error:e}");
+            assert!(error < 5e-14, "{fast:e} {x} {t}: {error:e}");
         }
-        let ahead = rod.at(0.237, 1.13e-4).unwrap();
-        println!("{ahead:?}");
+        let ahead = rod.at(0.237, 1.13e-4).unwrap().velocity;
+        assert_eq!(elastic.velocity(0.237, 1.13e-4), 0.0);
+        assert!(ahead.abs() < 1e-80 * VELOCITY, "{fast:e}: {ahead:e}");
     }
 }
 
 #[test]
 fn late_wave_of_the_standard_linear_solid_spreads_like_an_error_function() {
-    // k = s/c∞ (1 − κs/2 + …), κ = ΣE_kτ_k/E∞: the arrival times at x have the mean x/c∞, the
-    // variance κx/c∞, and so v = ½v₀ erfc((x/c∞ − t)/√(2κx/c∞)) + O(1/√x).
-    let spread = 5.7e9 * 1.3e-5 / 3.1e9;
-    let slow = (3.1e9 / 1390.0_f64).sqrt();
+    // The times at which the velocity arrives at x have the cumulants that s → 0 gives: with
+    // κ = E₁τ/E∞, k = s/c∞ (1 − κs/2 + (κτ/2 + 3κ²/8)s² − …), so the mean x/c∞, the variance
+    // κx/c∞ and the third cumulant (3κτ + 9κ²/4)x/c∞. To that order (Edgeworth), at
+    // z = (t − x/c∞)/√(κx/c∞),
+    //     v/v₀ = ½ erfc(−z/√2) − γ(z² − 1)e^(−z²/2)/(6√(2π)),    γ = third/variance^(3/2).
+    // Without the last term the error falls like 1/√x, with it like 1/x: at most
+    // 0.23 κc∞/x as seen.
+    let (tau, slow) = (1.3e-5, (3.1e9 / 1390.0_f64).sqrt());
+    let spread = 5.7e9 * tau / 3.1e9;
     for x in [3.7, 370.0, 37e3] {
         let (path, rod) = (x / slow, solid());
         let width = (spread * path).sqrt();
-        for place in [-1.7, -0.3, 0.0, 0.9, 2.1] {
-            let found = rod.at(x, path + place * width).unwrap().velocity;
-            let expected = 0.5 * VELOCITY * pxfm::f_erfc(-place / 2.0_f64.sqrt());
-            println!("{x} {place} {found} {}", (found - expected)/VELOCITY*(path/spread).sqrt());
+        let skewness = (3.0 * spread * tau + 2.25 * spread * spread) * path / width.powi(3);
+        for z in [-1.7, -0.3, 0.0, 0.9, 2.1_f64] {
+            let found = rod.at(x, path + z * width).unwrap().velocity / VELOCITY;
+            let bell = pxfm::f_exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
+            let expected =
+                0.5 * pxfm::f_erfc(-z / 2.0_f64.sqrt()) - skewness / 6.0 * (z * z - 1.0) * bell;
+            let error = (found - expected).abs();
+            assert!(error < 0.3 * spread / path, "{x} {z}: {error:e}");
         }
     }
 }
 
 #[test]
 fn end_stress_of_the_maxwell_rod_decays_like_the_root_of_time() {
-    // e^(−z)I₀(z) = (1 + 1/(8z) + 9/(128z²) + …)/√(2πz) at z = t/2τ: σ = ρcv₀/√(πt/τ) (1 + τ/4t).
+    // e^(−z)I₀(z) = (1 + 1/(8z) + 9/(128z²) + …)/√(2πz) at z = t/2τ: with θ = t/τ,
+    // σ = ρcv₀/√(πθ) (1 + 1/(4θ) + 9/(32θ²) + …). The terms left out are below 0.32/θ².
     for since in [31.0, 731.0, 7.3e4] {
         let (found, closed) = both_routes(0.0, since);
         let glassy = -(1271.0_f64 * 7.9e9).sqrt() * VELOCITY;
         let expected = glassy / (std::f64::consts::PI * since).sqrt() * (1.0 + 0.25 / since);
         for stress in [found.stress, closed.stress] {
             let error = stress / expected - 1.0;
-            println!("{since} {}", error*since*since);
-            assert!(error.abs() < 0.3 / (since * since) + 1e-14, "{since}: {error:e}");
+            assert!(error.abs() < 0.32 / (since * since) + 1e-14, "{since}: {error:e}");
         }
     }
 }
 
 #[test]
-fn time_beyond_reach_is_an_error_and_ten_million_relaxation_times_are_not() {
-    let rod = PulledRod::new(1390.0, 3.1e9, &[arm(5.7e9, 1.3e-5)], VELOCITY).unwrap();
-    let state = rod.at(0.237, 1.3e-5 * 1e7).unwrap();
-    println!("{state:?}");
-    let late = rod.at(0.237, 1.3e-5 * 1e10);
-    println!("{late:?}");
+fn late_maxwell_rod_diffuses_and_its_closed_form_does_not_overflow() {
+    // k = √(s/τ)/c (1 + τs/2 − τ²s²/8 …); with p = X/√(4τt),
+    //     v/v₀ = erfc p − (τ/t) p(2p² − 1) e^(−p²)/(2√π) + O(τ²/t²);
+    // the term left out is at most 11 (τ/t)² of v as seen.
+    let rod = Maxwell { density: 1271.0, modulus: 7.9e9, relaxation_time: 3.7e-4, velocity: 1.7 };
+    let wave_speed = (7.9e9 / 1271.0_f64).sqrt();
+    for since in [7.3e2, 7.3e5, 7.3e12] {
+        for place in [0.0131, 0.31, 1.7] {
+            let x = place * 3.7e-4 * (4.0 * since as f64).sqrt() * wave_speed;
+            let found = rod.at(x, 3.7e-4 * since).unwrap().velocity;
+            let gauss = pxfm::f_exp(-place * place) / (4.0 * std::f64::consts::PI).sqrt();
+            let term = place * (2.0 * place * place - 1.0) * gauss;
+            let error = found / (1.7 * (pxfm::f_erfc(place) - term / since)) - 1.0;
+            assert!(error.abs() < 20.0 / (since * since) + 1e-14, "{since} {place}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn ten_million_relaxation_times_are_within_reach_and_ten_milliards_are_an_error() {
+    // σ → ρc∞v₀ and v → v₀ far behind both fronts; tolerance: |φ| ulp a term, averaged over 10⁵.
+    let rod = solid();
+    let state = rod.at(0.237, 130.0).unwrap();
+    assert!((state.velocity / VELOCITY - 1.0).abs() < 5e-14, "{state:?}");
+    let expected = (3.1e9_f64 * 1390.0).sqrt() * VELOCITY;
+    assert!((state.stress / expected - 1.0).abs() < 5e-14, "{state:?}");
+    let late = rod.at(0.237, 1.3e5);
+    assert!(matches!(late, Err(RodError::Unsettled { .. })), "{late:?}");
 }
 
 #[test]
@@ -239,4 +272,66 @@ fn inputs_out_of_range_are_refused_by_name() {
     }
     let still = PulledRod::new(1390.0, 3.1e9, &arms, 0.0).unwrap();
     assert_eq!(still.at(0.1, 1.3e-4).unwrap(), RodState::REST);
+}
+
+/// Density, spring, arms: fractions of a modulus and times, over decades.
+fn any_material() -> impl Strategy<Value = (f64, f64, Vec<(f64, f64)>)> {
+    let arms = prop::collection::vec((-2.3..0.3_f64, -9.1..-2.7_f64), 1..6);
+    (700.0..8000.0_f64, prop_oneof![Just(0.0), 0.001..2.0_f64], arms)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_rod_balances_length_and_momentum_and_its_velocity_falls_outwards(
+        (density, spring, arms) in any_material(),
+        duration in -9.7..-2.9_f64,
+    ) {
+        let power = |exponent: f64| pxfm::f_exp10(exponent);
+        let arms: Vec<Arm> = arms
+            .into_iter()
+            .map(|(share, time)| arm(13.7e9 * power(share), power(time)))
+            .collect();
+        let rod = PulledRod::new(density, 13.7e9 * spring, &arms, VELOCITY).unwrap();
+        let t = power(duration);
+        // Tolerance: rounding; 2e-13 is the worst of 300, at a million relaxation times.
+        let (length, momentum) = balances::unbalanced(&rod, density, t);
+        prop_assert!(length < 1e-12 && momentum < 1e-12, "{length:e} {momentum:e}");
+
+        // v/v₀ is the share of the pull that has arrived: from 1 at the end to what the front has
+        // left. Tolerance: rounding, relative to 1.
+        let moving = |i: u32| rod.at(f64::from(i) / 17.3 * rod.front_speed() * t, t);
+        let velocities: Vec<f64> = (0..=17).map(|i| moving(i).unwrap().velocity).collect();
+        prop_assert!((velocities[0] / VELOCITY - 1.0).abs() < 1e-13);
+        prop_assert!(velocities.windows(2).all(|pair| pair[1] < pair[0] + 1e-13 * VELOCITY));
+    }
+
+    #[test]
+    fn arm_may_be_divided_and_arms_may_change_places(
+        (density, spring, arms) in any_material(),
+        share in 0.01..0.99_f64,
+        place in 0.0..1.1_f64,
+        duration in -9.7..-2.9_f64,
+    ) {
+        let power = |exponent: f64| pxfm::f_exp10(exponent);
+        let whole: Vec<Arm> = arms
+            .iter()
+            .map(|&(part, time)| arm(13.7e9 * power(part), power(time)))
+            .collect();
+        let mut divided = whole.clone();
+        divided.reverse();
+        divided[0].modulus *= share;
+        divided.push(arm(whole[whole.len() - 1].modulus * (1.0 - share), divided[0].relaxation_time));
+        let state = |arms: &[Arm]| {
+            let rod = PulledRod::new(density, 13.7e9 * spring, arms, VELOCITY).unwrap();
+            let t = power(duration);
+            rod.at(place * rod.front_speed() * t, t).unwrap()
+        };
+        let (one, other) = (state(&whole), state(&divided));
+        if one != RodState::REST {
+            // The order of the sums moves c by an ulp, and X and T with it; 2e-13 is the worst of 300.
+            prop_assert!(difference(other, one) < 1e-12, "{one:?} {other:?}");
+        }
+    }
 }

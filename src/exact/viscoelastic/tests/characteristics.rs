@@ -74,9 +74,8 @@ impl Branches {
             slope += gained(f, a) * (1.0 + half * a);
         }
         let growth = (known - constant) / slope;
-        let stresses: Vec<f64> = branches()
-            .map(|(&stress, (&f, &a))| kept(stress, a) + gained(f, a) * growth)
-            .collect();
+        let stresses: Vec<f64> =
+            branches().map(|(&stress, (&f, &a))| kept(stress, a) + gained(f, a) * growth).collect();
         let mut node = Node { velocity: 1.0, strain: old.strain + growth, stresses };
         if i > 0 {
             let relaxed = half * self.relaxing(&node);
