@@ -87,3 +87,43 @@ pub(super) fn exponential(z: Complex<f64>) -> Complex<f64> {
     let (sine, cosine) = pxfm::f_sincos(z.im);
     Complex::new(cosine, sine) * pxfm::f_exp(z.re)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn root_and_exponential_are_right_in_all_quadrants() {
+        // The square of a root, and e^z e^(−z) = 1 with an argument of Im z; roundings of a few
+        // products.
+        for (re, im) in [(1.7, 0.3), (0.3, -1.7), (-0.3, 1.7), (-1.7, -3e-9), (0.7, 0.0)] {
+            let z = Complex::new(re, im);
+            let root = square_root(z);
+            assert!(root.re > 0.0 && (root * root - z).norm_sqr() < 1e-31 * z.norm_sqr(), "{z}");
+            let (power, inverse) = (exponential(z), exponential(-z));
+            assert!((power * inverse - 1.0).norm_sqr() < 1e-31, "{z}");
+            assert!((power.im - pxfm::f_exp(re) * pxfm::f_sin(im)).abs() < 1e-15, "{z}");
+        }
+    }
+
+    #[test]
+    fn lag_and_its_slope_are_those_of_the_slowness() {
+        // h = s(1/√e − 1), here with an e that is not near 1; the slope by a central difference of
+        // step 1e-5 s, which is off by some 1e-10.
+        let arms = [(7.3e9, 1.3e-5), (2.9e9, 2.7e-4)]
+            .map(|(modulus, relaxation_time)| Arm { modulus, relaxation_time });
+        let relaxation = Relaxation::new(1.1e9, &arms, 11.3e9);
+        let lag = |s: f64| {
+            let e = relaxation.modulus(Complex::from(s));
+            relaxation.lag(Complex::from(s), e, square_root(e)).re
+        };
+        for s in [3.1e2, 7.7e3, 1.9e5] {
+            let e = 1.1 / 11.3
+                + 7.3 / 11.3 * s / (s + 1.0 / 1.3e-5)
+                + 2.9 / 11.3 * s / (s + 1.0 / 2.7e-4);
+            assert!((lag(s) / (s * (1.0 / e.sqrt() - 1.0)) - 1.0).abs() < 1e-13, "{s}");
+            let slope = (lag(s * 1.00001) - lag(s * 0.99999)) / (2e-5 * s);
+            assert!((relaxation.lag_slope(s) / slope - 1.0).abs() < 1e-8, "{s}");
+        }
+    }
+}
