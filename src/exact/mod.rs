@@ -15,6 +15,7 @@
 //! | [`fronts`] | the crossed fibres, every front followed | until a fibre goes slack |
 //! | [`motion`] | the same for a curved law or a projectile with mass | the same |
 //! | [`dalembert`] | axial pull on a clamped linear fibre | all times |
+//! | [`viscoelastic`] | axial pull on a long rod of a spring and Maxwell arms, small strain | all times to 10⁷ of the shortest relaxation time |
 //! | [`dispersion`] | waves and growth of the leapfrog scheme | uniform linear fibre |
 
 pub mod crossover;
@@ -28,6 +29,7 @@ pub mod motion;
 pub mod polynomial;
 pub mod riemann;
 pub mod smith;
+pub mod viscoelastic;
 pub mod wave;
 
 mod gauss;
