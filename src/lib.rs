@@ -32,6 +32,7 @@ pub mod errata;
 pub mod exact;
 mod json_locate;
 pub mod march;
+pub mod material;
 pub mod number;
 pub mod outcome;
 pub mod paper;
