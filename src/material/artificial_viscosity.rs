@@ -131,3 +131,6 @@ impl<S: Number, L: Law<S>> Law<S> for ArtificialViscosity<L, S> {
         self.law.bears_compression()
     }
 }
+
+#[cfg(test)]
+mod tests;

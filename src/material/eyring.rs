@@ -118,23 +118,26 @@ impl<S: Number> Law<S> for Eyring<S> {
         let (mut low, mut high) = (now, now.max(before).max(S::zero()));
         let mut strain = now;
         let mut carried = self.carried(before, strain, memory);
-        if carried >= S::zero() {
-            return now;
-        }
-        loop {
-            let newton = strain - carried / self.tangent_modulus(before, strain, memory);
-            let middle = low + S::half() * (high - low);
-            let next = if low < newton && newton < high { newton } else { middle };
-            if next == strain || next == low || next == high {
-                return high;
+        if carried < S::zero() {
+            loop {
+                let newton = strain - carried / self.tangent_modulus(before, strain, memory);
+                let middle = low + S::half() * (high - low);
+                strain = if low < newton && newton < high { newton } else { middle };
+                // Nothing lies between the two, or one of them is not a number.
+                if !(low < strain && strain < high) {
+                    return high;
+                }
+                carried = self.carried(before, strain, memory);
+                if carried < S::zero() {
+                    low = strain;
+                } else {
+                    high = strain;
+                }
             }
-            strain = next;
-            carried = self.carried(before, strain, memory);
-            if carried < S::zero() {
-                low = strain;
-            } else {
-                high = strain;
-            }
         }
+        now
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! For y₀ ≥ 0 no term but those of N − D can be negative, and there only for b < 0, where y may
-//! change its sign: y₁ is as accurate as y₀ and b are.
+//! change its sign. So y₁ has the digits that y₀ + b has.
 
 use super::decay::decay;
 use crate::number::Number;
@@ -62,10 +62,25 @@ impl<S: Number> Unit<S> {
         self.alpha * self.gone + self.start * self.blend(self.beta, self.alpha)
     }
 
+    /// y₁ = ln(N/D).
+    ///
+    /// Next to N = D the logarithm needs N − D. Its two terms above are those of a small y₀ and a
+    /// small drive; where they cancel to less than N itself, the difference as it stands is better.
     #[inline]
-    fn difference(&self) -> S {
-        self.start_gone * self.blend(self.alpha, self.beta)
-            + (S::one() + self.start) * self.beta * self.gone
+    fn end(&self) -> S {
+        let (numerator, denominator) = (self.numerator(), self.denominator());
+        let near = numerator < S::two() * denominator && denominator < S::two() * numerator;
+        if !near {
+            return (numerator / denominator).ln();
+        }
+        let start = self.start_gone * self.blend(self.alpha, self.beta);
+        let drive = (S::one() + self.start) * self.beta * self.gone;
+        let difference = if start < numerator { start + drive } else { numerator - denominator };
+        if difference >= S::zero() {
+            (difference / denominator).ln_1p()
+        } else {
+            -(-difference / numerator).ln_1p()
+        }
     }
 
     /// dy₁/db.
@@ -95,14 +110,8 @@ pub(super) fn advance<S: Number>(y: S, a: S, b: S) -> S {
 #[inline]
 fn advance_up<S: Number>(y: S, a: S, b: S) -> S {
     let Some(unit) = Unit::new(y, a, b) else { return y };
-    let difference = unit.difference();
-    if difference >= S::zero() {
-        let growth = difference / unit.denominator();
-        if growth.is_finite() { growth.ln_1p() } else { without_flow(y, a, b, unit.rho) }
-    } else {
-        let growth = -difference / unit.numerator();
-        if growth.is_finite() { -growth.ln_1p() } else { without_flow(y, a, b, unit.rho) }
-    }
+    let end = unit.end();
+    if end.is_finite() { end } else { without_flow(y, a, b, unit.rho) }
 }
 
 #[cold]

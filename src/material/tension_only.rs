@@ -38,7 +38,8 @@ impl<S: Number, L: Law<S>> Law<S> for TensionOnly<L> {
         let (material, inner) = memory.split_at_mut(1);
         let before = material[0];
         material[0] = self.law.taut_strain(before, now, inner);
-        self.law.stress(before, material[0], inner).max(S::zero())
+        let stress = self.law.stress(before, material[0], inner);
+        if now < material[0] { S::zero() } else { stress.max(S::zero()) }
     }
 
     /// Zero in a fibre that is slack at the end of the step.
@@ -76,3 +77,6 @@ impl<S: Number, L: Law<S>> Law<S> for TensionOnly<L> {
         false
     }
 }
+
+#[cfg(test)]
+mod tests;

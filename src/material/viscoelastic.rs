@@ -166,3 +166,6 @@ impl<S: Number> Law<S> for Viscoelastic<S> {
         now.max(before - held / self.tangent_modulus(before, now, memory))
     }
 }
+
+#[cfg(test)]
+mod tests;
