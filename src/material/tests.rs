@@ -29,7 +29,7 @@ impl<'l, S: Number> Run<'l, S> {
     }
 
     /// One step to a stress: creep. The strain by the tangent, as often as it takes.
-    pub fn to_stress(&mut self, wanted: S) -> S {
+    pub fn creep_to(&mut self, wanted: S) -> S {
         let mut strain = self.strain;
         for _ in 0..50 {
             let found = self.law.stress(self.strain, strain, &mut self.memory.clone());

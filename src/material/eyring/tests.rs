@@ -123,9 +123,9 @@ fn held_stress_flows_at_a_constant_rate() {
     let (sudden, law) =
         (prepared(0.0, rate, Update::Exact, 0.0), prepared(0.0, rate, Update::Exact, step));
     let mut run = Run::new(&sudden);
-    run.to_stress(stress);
+    run.creep_to(stress);
     run.law = &law;
-    (0..60).for_each(|_| _ = run.to_stress(stress));
+    (0..60).for_each(|_| _ = run.creep_to(stress));
     let flow = rate * f_sinh(stress / STRESS) * 60.0 * step;
     assert_relative_eq!(run.strain, stress / E + flow, epsilon = 0.0, max_relative = 3e-14);
 }

@@ -146,10 +146,10 @@ fn held_stress_creeps_as_the_standard_linear_solid() {
         let sudden = prepared(&[arm], e0, Update::Exact, 0.0);
         let law = prepared(&[arm], e0, Update::Exact, time / f64::from(steps));
         let mut run = Run::new(&sudden);
-        run.to_stress(stress);
+        run.creep_to(stress);
         run.law = &law;
         for _ in 0..steps {
-            run.to_stress(stress);
+            run.creep_to(stress);
         }
         run.strain / expected - 1.0
     };
@@ -165,9 +165,9 @@ fn maxwell_liquid_creeps_at_constant_rate() {
     let (sudden, law) =
         (prepared(&[arm], 0.0, Update::Exact, 0.0), prepared(&[arm], 0.0, Update::Exact, 1.9e-6));
     let mut run = Run::new(&sudden);
-    run.to_stress(stress);
+    run.creep_to(stress);
     run.law = &law;
-    (0..90).for_each(|_| _ = run.to_stress(stress));
+    (0..90).for_each(|_| _ = run.creep_to(stress));
     let expected = stress / arm.modulus * (1.0 + 90.0 * 1.9e-6 / arm.relaxation_time);
     assert_relative_eq!(run.strain, expected, epsilon = 0.0, max_relative = 2e-14);
 }
