@@ -1,4 +1,4 @@
-//! What is left and what is gone after a decay.
+//! What is left and what is gone after a decay, and exponentials less their first terms.
 
 use crate::number::Number;
 
@@ -15,6 +15,20 @@ pub(super) fn decay<S: Number>(x: S) -> (S, S) {
         let left = (-x).exp();
         (left, S::one() - left)
     }
+}
+
+/// exp(y) − 1 − y: below one in size the sum Σ yᵏ/k! from k = 2 on, to the last term that counts.
+pub(super) fn exp_m1_less_itself<S: Number>(y: S) -> S {
+    if y.abs() >= S::one() {
+        return y.exp_m1() - y;
+    }
+    let (mut term, mut sum, mut k) = (S::half() * y * y, S::zero(), 2);
+    while sum + term != sum {
+        sum += term;
+        k += 1;
+        term = term * y / S::count(k);
+    }
+    sum
 }
 
 #[cfg(test)]

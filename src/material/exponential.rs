@@ -1,6 +1,7 @@
 //! Exponential strain hardening.
 
 use super::Law;
+use super::decay::exp_m1_less_itself;
 use super::parameter::{ParameterError, finite, positive};
 use crate::number::Number;
 
@@ -57,18 +58,4 @@ impl<S: Number> Law<S> for Exponential<S> {
     fn taut_strain(&self, _before: S, now: S, _memory: &[S]) -> S {
         now.max(S::zero())
     }
-}
-
-/// exp(y) − 1 − y: below one in size the sum Σ yᵏ/k! from k = 2 on, to the last term that counts.
-fn exp_m1_less_itself<S: Number>(y: S) -> S {
-    if y.abs() >= S::one() {
-        return y.exp_m1() - y;
-    }
-    let (mut term, mut sum, mut k) = (S::half() * y * y, S::zero(), 2);
-    while sum + term != sum {
-        sum += term;
-        k += 1;
-        term = term * y / S::count(k);
-    }
-    sum
 }

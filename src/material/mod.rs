@@ -6,6 +6,8 @@
 //! by incorporating artificial viscosity into the material constitutive model". Derivations, units
 //! and ranges: `docs/materials.md`.
 //!
+//! The march does not use them yet: it has (7) alone.
+//!
 //! | law | memory of an element |
 //! |---|---|
 //! | [`Linear`], [`Polynomial`], [`Exponential`] | none |

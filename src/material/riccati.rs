@@ -12,7 +12,7 @@
 //! For y₀ ≥ 0 no term but those of N − D can be negative, and there only for b < 0, where y may
 //! change its sign. So y₁ has the digits that y₀ + b has.
 
-use super::decay::decay;
+use super::decay::{decay, exp_m1_less_itself};
 use crate::number::Number;
 
 /// One unit of time from y₀ ≥ 0.
@@ -83,12 +83,13 @@ impl<S: Number> Unit<S> {
         }
     }
 
-    /// dy₁/db.
+    /// dy₁/db, in which m/ρ − Q = Q(exp(ρ) − 1 − ρ)/ρ.
     fn slope(&self) -> S {
         let Self { alpha, beta, rho, left, gone, start, .. } = *self;
         let one = S::one();
         let bend = alpha * alpha * gone / rho;
-        let cross = alpha * beta * (gone / rho - left);
+        let late = if rho < one { left * exp_m1_less_itself(rho) / rho } else { gone / rho - left };
+        let cross = alpha * beta * late;
         let numerator = bend - beta * left * (one - beta) - start * cross;
         let denominator = -cross - start * (bend + beta * left * (one + beta));
         numerator / self.numerator() - denominator / self.denominator()

@@ -103,6 +103,17 @@ fn stored_and_dissipated_energy_are_the_work_of_the_mean_stress() {
 }
 
 #[test]
+fn nothing_is_gained_in_a_long_step_through_zero() {
+    // s/S from 5 to −2, at which it soon stays: the mean stress is positive, the dashpot shortens.
+    let rate = 190.0;
+    let law = prepared(E0, rate, Update::Exact, 8.0 * STRESS / (E * rate));
+    let mut memory = [0.31e6, 5.0 * STRESS];
+    law.stress(0.0137, 0.0137 - 30.0 * STRESS / E, &mut memory);
+    assert!(memory[1] < -1.9 * STRESS && memory[1] > -2.1 * STRESS);
+    assert_eq!(memory[0], 0.31e6);
+}
+
+#[test]
 fn steady_flow_carries_the_inverse_hyperbolic_sine_of_the_rate() {
     // s = S asinh(ε̇/rate), reached exactly however long the steps. Tolerance: three roundings.
     for (rate, strain_rate, step) in [(190.0, 7.9e3, 11.0e-6), (0.0031, 7.9e3, 3.7e-3)] {

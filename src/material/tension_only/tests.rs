@@ -27,11 +27,14 @@ fn elastic_fibre_carries_tension_as_ever_and_nothing_when_slack() {
 }
 
 #[test]
-fn polynomial_that_pulls_in_compression_does_not() {
-    // T = E₁ε + E₂ε² is positive again below ε = −E₁/E₂ = −0.0802.
+fn polynomial_with_another_root_neither_pulls_in_compression_nor_pushes_in_tension() {
+    // T = E₁ε + E₂ε² has a root at ε = −E₁/E₂: −0.0802, with E₂ < 0 +0.0803.
     let inner = super::super::Polynomial::<f64>::new(&[58.6e9, 7.3e11]).unwrap();
     assert!(inner.stress(0.0, -0.11, &mut []) > 0.0);
     assert_eq!(Run::new(&TensionOnly::new(inner)).to(-0.11), 0.0);
+    let inner = super::super::Polynomial::<f64>::new(&[58.6e9, -7.3e11]).unwrap();
+    assert!(inner.stress(0.0, 0.11, &mut []) < 0.0);
+    assert_eq!(Run::new(&TensionOnly::new(inner)).to(0.11), 0.0);
 }
 
 #[test]
