@@ -115,7 +115,7 @@ impl<S: Number> Law<S> for Eyring<S> {
     /// The stress grows with `now` and is not negative where the strain stays as it was, so the
     /// root is between: by Newton's rule, by halves where that leaves the bracket.
     fn taut_strain(&self, before: S, now: S, memory: &[S]) -> S {
-        let (mut low, mut high) = (now, now.max(before).max(S::zero()));
+        let (mut low, mut high) = (now, now.max(before));
         let mut strain = now;
         let mut carried = self.carried(before, strain, memory);
         if carried < S::zero() {
