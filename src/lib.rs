@@ -11,6 +11,7 @@
 //! 4. [`mod@trace`]: the same march with every evaluation reported; [`trace_file`] writes them down.
 //! 5. [`balance`]: energy and momentum; [`outcome`] and [`result`]: how a run ends and what it gives.
 //! 6. [`exact`]: closed forms, which share nothing with the above.
+//! 7. [`material`]: constitutive laws beyond (7), which the march does not use yet.
 //!
 //! ```
 //! let text = include_str!("../verification/scenes/single-400.json");
@@ -32,6 +33,7 @@ pub mod errata;
 pub mod exact;
 mod json_locate;
 pub mod march;
+pub mod material;
 pub mod number;
 pub mod outcome;
 pub mod paper;
