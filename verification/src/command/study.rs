@@ -26,6 +26,9 @@ enum Study {
     Figures(Sweep),
 }
 
+/// A folder for each build of the program, so that what another one has computed is not in the way.
+const POINTS: &str = concat!("target/study/figures-points/", env!("CROSSFIBRE_SOURCE"));
+
 /// Where a study goes, and which part of it is computed.
 #[derive(clap::Args)]
 struct Sweep {
@@ -33,7 +36,7 @@ struct Sweep {
     #[arg(long, default_value = "target/study/figures", value_name = "DIR")]
     out: PathBuf,
     /// Folder where each finished run is stored; what is there is not computed again
-    #[arg(long, default_value = "target/study/figures-points", value_name = "DIR")]
+    #[arg(long, default_value = POINTS, value_name = "DIR")]
     points: PathBuf,
     /// Compute part I of N only, and draw nothing as long as runs are missing
     #[arg(long, value_name = "I/N")]
