@@ -5,6 +5,8 @@ use super::points::{Edition, Strains, element};
 use super::table::{Table, cell};
 use crate::cases::support::{exact_single, measured_by, shipped};
 use crate::closed_form::problem;
+use crate::exact_file::ExactFile;
+use crate::exact_plot;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 use crossfibre::exact::fronts::Segment;
 use crossfibre::exact::motion::{Motion, motion};
@@ -154,6 +156,16 @@ pub fn plateaus(snapshots: &Snapshots) -> String {
             &curves,
         )
     }])
+}
+
+/// When the picture of the motion ends, s: the wave from the clamp has been back at the impact point.
+pub const MOTION_UNTIL: f64 = 90e-6;
+
+/// The exact motion, as `crossfibre exact --plot` draws it.
+pub fn motion_picture() -> String {
+    let scene = measured_by(Strain::Engineering, shipped("fig3"));
+    let (file, motion) = ExactFile::of(&scene, MOTION_UNTIL);
+    exact_plot::picture(&scene, &file, &motion)
 }
 
 /// The strains of elements.

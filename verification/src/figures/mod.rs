@@ -72,6 +72,7 @@ pub fn files(snapshots: &Snapshots) -> Vec<(&'static str, String)> {
         ("fig3-plateaus.svg", fig3::plateaus(snapshots)),
         ("fig3.csv", fig3::table(snapshots)),
         ("fig3-exact.csv", fig3::exact_table()),
+        ("motion.svg", fig3::motion_picture()),
         ("fig4.svg", curves::fig4(snapshots)),
         ("fig4.csv", curves::table(snapshots, points::Abscissa::Modulus)),
         ("fig5.svg", curves::fig5(snapshots)),

@@ -17,6 +17,7 @@ pub fn page(snapshots: &Snapshots) -> String {
     [
         head(snapshots),
         fig3_section(snapshots),
+        motion_section(),
         fig4_section(snapshots),
         slide_section(snapshots),
         window_section(snapshots),
@@ -231,6 +232,22 @@ fn span(
     let (low, high) =
         found.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     format!("{low:.3} to {high:.3}")
+}
+
+fn motion_section() -> String {
+    format!(
+        "\
+## The exact motion behind Fig. 3
+
+![Strain at {0:.0} µs, and the ways of all fronts until then](motion.svg)
+
+Every front that is stronger than a thousandth of the strongest, from the impact to {0:.0} µs: through the
+crossover at 100 mm, back from both clamps, and split at every kink. The paper calls what comes after
+the first meetings \"intractable by closed-form methods\"; [so it is followed](../exact/fronts.md).
+`crossfibre exact SCENE --plot FILE` draws this of any scene.
+",
+        1e6 * fig3::MOTION_UNTIL
+    )
 }
 
 fn fig4_section(snapshots: &Snapshots) -> String {
