@@ -60,8 +60,7 @@ pub struct Approximation {
 pub fn motion(problem: &Problem<Hyperelastic>, mass: Option<f64>, time: f64) -> Motion {
     match problem.primary.material.law {
         Law::Engineering => {
-            let line = |m: &Hyperelastic| Line { modulus: m.fibre.modulus, density: m.density() };
-            let line = problem.map(line);
+            let line = problem.map(Line::of);
             converged(mass, |_| (None, &line), time)
         }
         Law::Logarithmic => {

@@ -23,11 +23,7 @@ const MESHES: [usize; 2] = [1, 16];
 fn main() {
     for time in TIMES {
         let scene = Scene { duration: time, ..measured_by(Strain::Engineering, shipped("fig3")) };
-        let line = |m: &crossfibre::exact::elastic::Hyperelastic| Line {
-            modulus: m.fibre.modulus,
-            density: m.fibre.density,
-        };
-        let problem: Problem<Line> = closed_form::problem(&scene).map(line);
+        let problem: Problem<Line> = closed_form::problem(&scene).map(Line::of);
         let meshes = MESHES.map(|factor| refined(scene.clone(), factor));
         let (mut exact, mut marches) = (Duration::MAX, [Duration::MAX; MESHES.len()]);
         for _ in 0..ROUNDS {

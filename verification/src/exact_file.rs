@@ -3,7 +3,7 @@
 use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::fronts::{Ended, Segment};
 use crossfibre::exact::motion::{Motion, motion};
-use crossfibre::exact::smith::{Law, Strain as ExactStrain};
+use crossfibre::exact::smith::Strain as ExactStrain;
 use crossfibre::scene::{Scene, Strain};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -74,7 +74,6 @@ impl ExactFile {
     /// The exact motion of a scene up to a time, s.
     pub fn of(scene: &Scene, time: f64) -> (Self, Motion) {
         let solved = motion(&closed_form::problem(scene), scene.projectile.mass, time);
-        let law = closed_form::law(scene);
         let file = Self {
             format: "crossfibre-exact/1",
             title: scene.title.clone(),
@@ -82,8 +81,8 @@ impl ExactFile {
             ended: solved.ended,
             measure: scene.strain,
             solution: Solution::of(&solved),
-            primary: pieces(law, &solved.primary, 2),
-            secondary: pieces(law, &solved.secondary, 3),
+            primary: pieces(scene, &solved.primary, 2),
+            secondary: pieces(scene, &solved.secondary, 3),
             projectile_velocity: solved.projectile_velocity,
             coefficients: closed_form::coefficients(scene),
             error_bound: solved.error_bound,
@@ -105,7 +104,7 @@ impl Solution {
     }
 }
 
-fn pieces(law: Law, segments: &[Segment], dimensions: usize) -> Vec<Piece> {
+fn pieces(scene: &Scene, segments: &[Segment], dimensions: usize) -> Vec<Piece> {
     let components = |vector: &[f64]| vector[..dimensions].to_vec();
     segments
         .iter()
@@ -114,10 +113,7 @@ fn pieces(law: Law, segments: &[Segment], dimensions: usize) -> Vec<Piece> {
             Piece {
                 from: segment.from,
                 to: segment.to,
-                strain: match law {
-                    Law::Logarithmic => strain.logarithmic,
-                    Law::Engineering => strain.engineering,
-                },
+                strain: closed_form::component(scene, strain),
                 velocity: components(segment.state.velocity.as_slice()),
                 direction: components(segment.state.direction.as_slice()),
             }

@@ -1,6 +1,6 @@
 //! Materials on which every longitudinal wave is a row of jumps.
 
-use crate::exact::elastic::Elastic;
+use crate::exact::elastic::{Elastic, Hyperelastic};
 use crate::exact::wave::{Kind, Piece};
 
 /// A material all of whose [pieces](Elastic::pieces) of a wave are jumps, so that piecewise constant
@@ -23,6 +23,11 @@ pub struct Line {
 }
 
 impl Line {
+    /// The line that T = Eε is in a material of the engineering law.
+    pub fn of(material: &Hyperelastic) -> Self {
+        Self { modulus: material.fibre.modulus, density: material.fibre.density }
+    }
+
     fn wave_speed(&self) -> f64 {
         (self.modulus / self.density).sqrt()
     }

@@ -32,8 +32,7 @@ fn a_straight_law_and_a_constant_velocity_are_followed_exactly() {
     let problem = problem(Law::Engineering);
     let exact = motion(&problem, None, 41.3e-6);
     assert_eq!((exact.approximation, exact.ended), (Approximation::default(), None));
-    let line = |m: &Hyperelastic| Line { modulus: m.fibre.modulus, density: m.fibre.density };
-    let fronts = solved(&problem.map(line), 41.3e-6);
+    let fronts = solved(&problem.map(Line::of), 41.3e-6);
     // To the bit: writing down the ways of the fronts must not change them.
     assert_eq!(exact.primary, fronts.segments(Fibre::Primary));
     assert_eq!(exact.secondary, fronts.segments(Fibre::Secondary));
@@ -93,8 +92,7 @@ fn a_projectile_is_slowed_by_both_halves_of_the_fibre() {
 /// steps.
 #[test]
 fn the_loss_settles_as_the_steps_get_shorter() {
-    let line = |m: &Hyperelastic| Line { modulus: m.fibre.modulus, density: m.fibre.density };
-    let problem = single(Law::Engineering).map(line);
+    let problem = single(Law::Engineering).map(Line::of);
     let limits = Limits { resolution: 1e-10, events: 100_000 };
     let lost = |steps| {
         let fronts = braked(&problem, 0.41e-3, 7.3e-6, steps, limits);
