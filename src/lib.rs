@@ -11,7 +11,7 @@
 //! 4. [`mod@trace`]: the same march with every evaluation reported; [`trace_file`] writes them down.
 //! 5. [`balance`]: energy and momentum; [`outcome`] and [`result`]: how a run ends and what it gives.
 //! 6. [`exact`]: closed forms, which share nothing with the above.
-//! 7. [`material`]: constitutive laws beyond (7), which the march does not use yet.
+//! 7. [`material`]: constitutive laws beyond (7); [`constitution`]: a fibre that has one.
 //!
 //! ```
 //! let text = include_str!("../verification/scenes/single-400.json");
@@ -26,6 +26,7 @@
 //! ```
 
 pub mod balance;
+pub mod constitution;
 pub mod corrected;
 pub mod discretisation;
 pub mod equations;
@@ -43,6 +44,7 @@ pub mod result;
 pub mod scene;
 pub mod scene_check;
 pub mod scene_file;
+mod scene_material;
 mod scene_misfit;
 pub mod state;
 pub mod trace;
