@@ -4,7 +4,8 @@
 //! Read it in this order:
 //!
 //! 1. [`paper`]: the twenty numbered equations as the methods of one trait, as printed;
-//!    [`equations`] is their register, [`number`] what they are written over.
+//!    [`equations`] is their register, [`number`] what they are written over: `f64`, `f32`, or 32
+//!    digits ([`double_double`]).
 //! 2. [`errata`]: the ledger of what cannot stand as printed; [`corrected`] the edition without it.
 //! 3. [`march`]: one time step in the paper's order, on the [`state`] that a [`scene`] starts with
 //!    ([`discretisation`]).
@@ -29,6 +30,7 @@ pub mod balance;
 pub mod constitution;
 pub mod corrected;
 pub mod discretisation;
+pub mod double_double;
 pub mod equations;
 pub mod errata;
 pub mod exact;
