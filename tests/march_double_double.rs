@@ -140,7 +140,7 @@ fn where_doubles_are_exact_both_marches_give_the_same_numbers() {
     let fibre = &mut scene.primary;
     (fibre.elements, fibre.length) = (48, 48.0 / 2048.0);
     (fibre.density, fibre.area) = (1024.0, 0.5_f64.powi(20));
-    fibre.material = Material::Linear { modulus: 2_f64.powi(36) };
+    fibre.material = Material::linear(2_f64.powi(36));
     let speed = 3.0 * 8192.0;
     let (mut double, mut long) =
         (pulled::<f64>(&scene, speed), pulled::<DoubleDouble>(&scene, speed));
