@@ -1,12 +1,13 @@
 //! `crossfibre study`: sweeps of many runs, and what is drawn from them.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::{Context, Result};
 use clap::Subcommand;
 
+use crate::cost::{costs, page};
 use crate::exit::Exit;
 use crate::figures::points::{points, snapshot};
 use crate::figures::{STUDY, Snapshots, files};
@@ -24,6 +25,16 @@ pub struct Args {
 enum Study {
     /// Redraw Figs 3 to 7 of the paper, from the scheme and from exact solutions.
     Figures(Sweep),
+    /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
+    Cost(Page),
+}
+
+/// Where the page of a study goes.
+#[derive(clap::Args)]
+struct Page {
+    /// Folder for the page
+    #[arg(long, default_value = "target/study/cost", value_name = "DIR")]
+    out: PathBuf,
 }
 
 /// A folder for each build of the program, so that what another one has computed is not in the way.
@@ -49,6 +60,7 @@ struct Sweep {
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
         Study::Figures(sweep) => figures(sweep),
+        Study::Cost(page) => cost(&page),
     }
 }
 
@@ -72,6 +84,20 @@ fn figures(args: Sweep) -> Result<Exit> {
         write(&out.join(name), &text)?;
     }
     writeln!(to, "figures: {}", out.display())?;
+    Ok(Exit::Well)
+}
+
+fn cost(args: &Page) -> Result<Exit> {
+    fs::create_dir_all(&args.out)
+        .with_context(|| format!("{}: cannot be made a folder", args.out.display()))?;
+    let costs = costs(&env::current_exe()?)?;
+    let page = page(&costs);
+    write(&args.out.join("README.md"), &page)?;
+    let mut to = io::stdout().lock();
+    write!(to, "{page}")?;
+    if costs.iter().any(|cost| cost.instructions.is_none()) {
+        writeln!(to, "\nvalgrind is not there: no instructions are counted")?;
+    }
     Ok(Exit::Well)
 }
 
