@@ -68,6 +68,15 @@ impl Energy {
     pub fn relative_residual(&self) -> f64 {
         self.residual / (self.initial + self.work.abs())
     }
+
+    /// How far off the balance is, over the energy that was put in: the residual, or by how much more
+    /// than all that was put in a single part is. Parts may cancel: forward differences past their
+    /// limit store what they take from the dashpots, without end.
+    pub fn imbalance(&self) -> f64 {
+        let greatest = self.kinetic.max(self.stored.abs()).max(self.dissipated.abs());
+        let excess = greatest / (self.initial + self.work.abs()) - 1.0;
+        self.relative_residual().abs().max(excess)
+    }
 }
 
 /// Momentum by component, kg m/s.

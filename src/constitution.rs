@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::discretisation::Properties;
 use crate::material::{Law, Mesh, ParameterError, of_scene};
 use crate::number::Number;
-use crate::paper::Remembered;
+use crate::paper::{Paper, Printed, Remembered};
 use crate::scene::Material;
 
 /// The law of a fibre and what its elements remember for it.
@@ -75,7 +75,7 @@ impl<S: Number> Block<S> {
         }
     }
 
-    /// Makes room for a block.
+    /// Makes room for a block that is longer than the march's own.
     pub fn fit(&mut self, elements: usize) {
         if self.stress.len() < elements {
             *self = Self::of(elements);
@@ -118,7 +118,7 @@ impl<S: Number> Constitution<S> {
                 area: fibre.area,
                 path: PathEnergy { stored: nothing, dissipated: nothing },
                 bound,
-                block: Block::of(0),
+                block: Block::of(fibre.elements.min(<Printed as Paper<S>>::BLOCK)),
                 law,
             }
         }))

@@ -54,8 +54,8 @@ pub enum Outcome {
     EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
-        /// Residual of the balance over the energy put in, without its sign; none where the sum is
-        /// not finite.
+        /// Residual of the balance over the energy put in, without its sign, or the excess of a part
+        /// over it ([`crate::balance::Energy::imbalance`]); none where a sum is not finite.
         #[serde(skip_serializing_if = "Option::is_none")]
         residual: Option<f64>,
     },

@@ -231,8 +231,7 @@ impl RunResult {
         outcome: Outcome,
     ) -> Self {
         let balance = Some(state.balance(paper, scene.strain)).filter(Balance::is_finite);
-        let residual =
-            balance.map(|b| b.energy.relative_residual().abs()).filter(|r| r.is_finite());
+        let residual = balance.map(|b| b.energy.imbalance()).filter(|r| r.is_finite());
         let outcome = match outcome {
             Outcome::Completed if residual.is_none_or(|r| r > MOST_IMBALANCE) => {
                 Outcome::EnergyUnbalanced { step: state.step, residual }

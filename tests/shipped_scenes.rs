@@ -33,15 +33,21 @@ fn every_shipped_scene_is_read_and_has_a_title_of_its_own() {
     let scenes = shipped();
     let names: Vec<&str> = scenes.keys().map(String::as_str).collect();
     let expected = [
+        "artificial-viscosity",
         "both-at-origin",
+        "eyring",
         "fig3",
         "fig3-printed",
         "finite-projectile",
+        "hardening",
         "single-400",
         "single-400-1440",
+        "slack",
         "sliding",
+        "softening",
         "timing",
         "unequal",
+        "viscoelastic",
     ];
     assert_eq!(names, expected);
     let titles: BTreeSet<&str> = scenes.values().map(|s| s.title.as_str()).collect();

@@ -6,6 +6,7 @@ use crossfibre::scene::{Scene, Strain};
 use serde::{Deserialize, Serialize};
 
 use crate::cases::crossover::{exact_coefficients, measured};
+use crate::cases::materials::front_of;
 use crate::cases::support::{
     Marched, different_bits, exact_crossover, exact_single, marched, measured_by, refined,
     relative, shipped,
@@ -53,6 +54,7 @@ pub fn examine() -> Vec<Claim> {
         cost(),
         flags(),
         computer_time(),
+        other_laws(),
         artificial_viscosity(),
     ]
 }
@@ -255,23 +257,25 @@ fn accuracy() -> Claim {
     )
 }
 
+/// How many checks of some cases pass, and how many there are.
+fn passed(ids: &[&str]) -> (usize, usize) {
+    let chosen = cases::all().into_iter().filter(|case| ids.contains(&case.id));
+    let checks: Vec<_> = chosen.flat_map(|case| (case.run)()).collect();
+    let passed = checks.iter().filter(|check| check.verdict() == Verdict::Passed).count();
+    (passed, checks.len())
+}
+
 fn stability() -> Claim {
     let cases = ["axial.dispersion", "courant.growth", "courant.impact"];
-    let checks: Vec<_> = cases::all()
-        .into_iter()
-        .filter(|case| cases.contains(&case.id))
-        .flat_map(|case| (case.run)())
-        .collect();
-    let passed = checks.iter().filter(|check| check.verdict() == Verdict::Passed).count();
+    let (passed, all) = passed(&cases);
     claim(
         "Stable for α ≤ 1, unstable for α > 1",
-        passed == checks.len(),
+        passed == all,
         format!(
-            "{passed} of {} checks of {}: the linear fibre keeps its standing waves at α = 0.5, 0.9 and \
+            "{passed} of {all} checks of {}: the linear fibre keeps its standing waves at α = 0.5, 0.9 and \
              1, and its highest mode grows by von Neumann's root above. The law of (4) and (7) softens \
              under tension and tolerates a little more; struck at more than half the wave speed it is \
              unstable at α = 1 all the same (ledger strain-path).",
-            checks.len(),
             cases.join(", ")
         ),
     )
@@ -322,10 +326,40 @@ fn computer_time() -> Claim {
     }
 }
 
+fn other_laws() -> Claim {
+    let cases = [
+        "material.softening",
+        "material.hardening",
+        "material.rod",
+        "material.arms",
+        "material.energy",
+    ];
+    let (passed, all) = passed(&cases);
+    claim(
+        "The model holds nonlinear elasticity (polynomial or exponential), linear and nonlinear \
+         viscoelasticity, and other laws without difficulty",
+        passed == all,
+        format!(
+            "{passed} of {all} checks of {}: fans and shocks against Smith's relation with the waves of \
+             the law, a viscoelastic rod against its transform, an Eyring element against Runge-Kutta, \
+             energy of all. The page prints none of its laws: the forms here are the usual ones. One \
+             difficulty: a law that hardens has a shock, and without artificial viscosity the scheme \
+             makes a train of waves of it that no mesh removes.",
+            cases.join(", ")
+        ),
+    )
+}
+
 fn artificial_viscosity() -> Claim {
-    Claim {
-        claim: "Artificial viscosity diminishes the oscillations".into(),
-        finding: Finding::NotExamined,
-        evidence: "Laws beyond linear elasticity are not part of the reference yet.".into(),
-    }
+    let [bare, viscous] =
+        [false, true].map(|viscous| 100.0 * front_of(Strain::Incremental, 1, viscous).overshoot);
+    claim(
+        "Artificial viscosity diminishes the oscillations",
+        viscous < 0.25 * bare,
+        format!(
+            "One fibre at 400 m/s, 2 mm, α = 0.7: the greatest strain is {bare:.1} % over the plateau \
+             without, {viscous:.1} % with linear = 0.3 and quadratic = 1. It costs step length, and \
+             the front of a linear law, which nothing holds steep, spreads: case material.viscosity."
+        ),
+    )
 }

@@ -47,6 +47,11 @@ fn two_hundred_steps_allocate_nothing() {
         include_str!("../scenes/both-at-origin.json"),
         include_str!("../scenes/unequal.json"),
         include_str!("../scenes/fig3-printed.json"),
+        include_str!("../scenes/softening.json"),
+        include_str!("../scenes/hardening.json"),
+        include_str!("../scenes/viscoelastic.json"),
+        include_str!("../scenes/eyring.json"),
+        include_str!("../scenes/slack.json"),
     ] {
         let scene = scene_file::read(text).unwrap();
         assert_eq!(with_paper(&scene, Allocations(&scene)), [0; 3], "{}", scene.title);

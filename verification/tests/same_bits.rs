@@ -7,10 +7,11 @@
 
 use crossfibre::discretisation::Discretisation;
 use crossfibre::march;
+use crossfibre::material::Coefficients;
 use crossfibre::number::Number;
 use crossfibre::paper::{Paper, Printed};
 use crossfibre::result::{self, RunResult, WithPaper, with_paper};
-use crossfibre::scene::{Scene, Strain};
+use crossfibre::scene::{Law, Material, Scene, Strain};
 use crossfibre::scene_file;
 use crossfibre::state::{FibreState, State, Wavefront};
 use crossfibre::trace::{Event, Traced};
@@ -39,7 +40,33 @@ fn scenes() -> Vec<Scene> {
         scenes.push(scene);
     }
     scenes.push(fig3);
+    scenes.extend(of_other_laws(block));
     scenes
+}
+
+/// Laws with and without memory, also of several numbers in more than one block of elements.
+fn of_other_laws(block: usize) -> [Scene; 4] {
+    let read = |text| scene_file::read(text).unwrap();
+    let viscous = Coefficients { linear: 0.2, quadratic: 1.3 };
+    let mut arms = read(include_str!("../scenes/viscoelastic.json"));
+    arms.primary.elements = block + 31;
+    // The smaller elements set the time step.
+    arms.secondary.as_mut().unwrap().elements = 67;
+    arms.primary.material.tension_only = true;
+    let mut hardening = read(SINGLE);
+    hardening.courant = 0.45;
+    hardening.primary.material = Material {
+        law: Law::Polynomial { coefficients: vec![58.6e9, 0.9e12] },
+        tension_only: true,
+        artificial_viscosity: Some(viscous),
+    };
+    let mut softening = read(SINGLE);
+    softening.primary.material = Law::Exponential { a: -2.0e9, b: -29.3 }.into();
+    softening.courant = 0.87;
+    let mut eyring = read(include_str!("../scenes/eyring.json"));
+    eyring.primary.material.artificial_viscosity = Some(viscous);
+    eyring.courant = 0.7;
+    [arms, hardening, softening, eyring]
 }
 
 /// What is done with a scene: 2.3 times its duration, in which waves come back from the clamps.

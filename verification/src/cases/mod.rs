@@ -10,6 +10,7 @@ pub mod crossover;
 mod golden;
 mod identities;
 pub mod invariance;
+pub(crate) mod materials;
 mod motion;
 mod projectile;
 mod smith;
@@ -106,6 +107,7 @@ pub fn all() -> Vec<Case> {
         identities::CASES,
         invariance::CASES,
         motion::CASES,
+        materials::CASES,
         golden::CASES,
     ]
     .concat()

@@ -23,8 +23,9 @@ macro_rules! scenes {
 }
 
 scenes! {
-    "both-at-origin", "fig3", "fig3-printed", "finite-projectile", "single-400",
-    "single-400-1440", "sliding", "timing", "unequal",
+    "artificial-viscosity", "both-at-origin", "eyring", "fig3", "fig3-printed",
+    "finite-projectile", "hardening", "single-400", "single-400-1440", "slack", "sliding",
+    "softening", "timing", "unequal", "viscoelastic",
 }
 
 /// A shipped scene.
