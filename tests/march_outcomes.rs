@@ -125,7 +125,7 @@ fn a_vanished_element_ends_the_run() {
     let mut scene = shipped("single-400");
     (scene.primary.length, scene.primary.elements) = (0.25, 128);
     scene.primary.density = 1024.0;
-    scene.primary.material = Material::Linear { modulus: 1024.0 * 16_777_216.0 };
+    scene.primary.material = Material::linear(1024.0 * 16_777_216.0);
     scene.projectile.velocity = 4096.0;
     let paper = Corrected::<Incremental>::new(Corrections::ALL);
     let mut state: State<f64> = State::at_impact(&scene, Wavefront::Flagged);
