@@ -13,6 +13,7 @@ pub mod invariance;
 mod motion;
 mod projectile;
 mod smith;
+mod stability;
 pub mod support;
 
 use serde::{Deserialize, Serialize};
@@ -100,6 +101,7 @@ pub fn all() -> Vec<Case> {
         smith::CASES,
         axial::CASES,
         courant::CASES,
+        stability::CASES,
         crossover::CASES,
         projectile::CASES,
         conservation::CASES,

@@ -1,9 +1,13 @@
 //! States at rest in equilibrium, around which the scheme is linearised and marched.
 
+use crossfibre::constitution::Constitution;
 use crossfibre::number::{Number, Vector};
+use crossfibre::result::with_paper;
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{FibreState, State, Wavefront};
 use serde::{Deserialize, Serialize};
+
+use super::spectrum::Step;
 
 /// A scene whose fibres are held at rest under strain, all in equilibrium.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,10 +27,26 @@ pub struct Base {
 }
 
 impl Base {
-    /// The state before the first step, at a Courant number.
+    /// The state before the first step, at a Courant number. A law may outgrow the step.
     pub fn state<S: Number>(&self, courant: f64) -> State<S> {
         let scene = Scene { courant, ..self.scene.clone() };
-        let mut state = State::at_impact(&scene, Wavefront::Ignored);
+        let mut state = self.bounded(&scene);
+        unbound(&mut state.primary);
+        if let Some(crossover) = &mut state.crossover {
+            unbound(&mut crossover.fibre);
+        }
+        state
+    }
+
+    /// Whether the march refuses the first step at a Courant number, as a law outgrows it.
+    pub fn is_refused(&self, courant: f64) -> bool {
+        let scene = Scene { courant, ..self.scene.clone() };
+        let mut state = self.bounded::<f64>(&scene);
+        with_paper(&self.scene, Step(&mut state)).is_err()
+    }
+
+    fn bounded<S: Number>(&self, scene: &Scene) -> State<S> {
+        let mut state = State::at_impact(scene, Wavefront::Ignored);
         state.projectile.velocity = S::zero();
         if self.axial {
             state.projectile.axis = Vector::<S, 2>::new(S::one(), S::zero());
@@ -39,7 +59,8 @@ impl Base {
             self.lay(primary, along_x, |_| strain);
             return state;
         };
-        // The part of the secondary's pull that the primary feels is balanced by more tension behind.
+        // The part of the secondary's pull that the primary feels is balanced by more tension behind;
+        // by eqn (7) alone.
         let pull = secondary_strain * crossover.fibre.properties.stiffness * tilt;
         let added = S::two() * crossover.slide_factor * pull / primary.properties.stiffness;
         let node = crossover.node;
@@ -67,8 +88,19 @@ impl Base {
             };
             fibre.position[i + 1] = fibre.position[i] + direction * (stretch * fibre.unstrained[i]);
             fibre.strain[i] = e;
-            fibre.tension[i] = fibre.properties.stiffness * e;
+            fibre.tension[i] = match &mut fibre.constitution {
+                None => fibre.properties.stiffness * e,
+                // Arms are at rest where the strain does not change.
+                Some(Constitution { law, memory, area, .. }) => {
+                    let n = law.memory();
+                    *area * law.stress(e, e, &mut memory[i * n..][..n])
+                }
+            };
             fibre.pull[i] = direction * fibre.tension[i];
         }
     }
+}
+
+fn unbound<S: Number, const D: usize>(fibre: &mut FibreState<S, D>) {
+    fibre.constitution = fibre.constitution.take().map(Constitution::unbounded);
 }

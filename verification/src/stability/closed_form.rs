@@ -5,7 +5,7 @@
 
 use crossfibre::errata::Erratum;
 use crossfibre::number::Number;
-use crossfibre::scene::{Material, Strain};
+use crossfibre::scene::{Law, Material, Strain};
 
 use super::base::Base;
 
@@ -47,21 +47,19 @@ pub fn node_limit(mass: f64, chains: &[(f64, Chain)]) -> f64 {
     if stable(most) {
         return most;
     }
-    let (mut low, mut high) = (0.0, most);
+    greatest(stable, 0.0, most)
+}
+
+/// The greatest number that passes, between one that does and one that does not.
+pub fn greatest(passes: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     // Until nothing lies between the two.
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             return low;
         }
-        if stable(middle) { low = middle } else { high = middle }
+        if passes(middle) { low = middle } else { high = middle }
     }
-}
-
-/// The largest Courant number of a uniform fibre of so many elements, held at both ends, over that of
-/// one without end: its highest mode has a phase of π − π/n an element.
-pub fn finite(elements: usize) -> f64 {
-    1.0 / Number::cos(std::f64::consts::FRAC_PI_2 / elements as f64)
 }
 
 /// A stretched fibre as two chains: along it and across.
@@ -84,19 +82,26 @@ impl Fibre<'_> {
         self.spacing * (inertia / self.material.instantaneous_modulus()).sqrt()
     }
 
+    /// # Panics
+    /// If the law is not eqn (7): a fault of this program.
+    fn modulus(&self) -> f64 {
+        match self.material.law {
+            Law::Linear { modulus } => modulus,
+            ref other => panic!("{} is not eqn (7)", other.name()),
+        }
+    }
+
     fn tension(&self, strain: f64) -> f64 {
-        let Material::Linear { modulus } = *self.material;
-        modulus * self.area * strain
+        self.modulus() * self.area * strain
     }
 
     /// dT/dL and T/L: a strain e of (4) is a length of exp(e), and de = dL/L.
     fn stretched(&self, strain: f64, measure: Strain) -> Stretched {
-        let Material::Linear { modulus } = *self.material;
         let (stretch, by_stretch) = match measure {
             Strain::Incremental => (Number::exp(strain), Number::exp(-strain)),
             Strain::Engineering => (1.0 + strain, 1.0),
         };
-        let along = modulus * self.area * by_stretch / self.spacing;
+        let along = self.modulus() * self.area * by_stretch / self.spacing;
         let across = self.tension(strain) / (stretch * self.spacing);
         let chain = |stiffness| Chain { mass: self.mass, stiffness };
         Stretched { along: chain(along), across: chain(across) }

@@ -57,7 +57,7 @@ impl WithPaper<f64> for March<'_> {
 
     fn with(self, paper: &impl Paper<f64>) -> Growth {
         let mut state = self.base.state::<f64>(self.courant);
-        disturb(&mut state, self.base.axial);
+        disturb(&mut state, PERTURBATION, self.base.axial);
         let (mut steps, mut quarters) = (STEPS[0], [0.0; 4]);
         // The step of the first size that is in the range of what has grown, and that size.
         let (mut first, mut rate) = ((0, PERTURBATION), None);
@@ -108,10 +108,44 @@ fn late_rate(steps: u64, [_, second, third, fourth]: [f64; 4]) -> f64 {
     (last - power * power_last) / (steps / 4) as f64
 }
 
+/// What a march makes of a perturbation that is not small.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Shaken {
+    /// By how much the mean strain has grown in the first of [`STEPS`].
+    pub wound: f64,
+    /// The step in which the strain was beyond three times what it was, or the march ended.
+    pub diverged: Option<u64>,
+}
+
+/// Marches a uniform fibre with a perturbation of all velocities of a size, over the wave speed.
+pub fn shaken(base: &Base, courant: f64, size: f64) -> Shaken {
+    struct March<'a>(&'a Base, f64, f64);
+    impl WithPaper<f64> for March<'_> {
+        type Out = Shaken;
+        fn with(self, paper: &impl Paper<f64>) -> Shaken {
+            let Self(base, courant, size) = self;
+            let mut state = base.state::<f64>(courant);
+            disturb(&mut state, size, base.axial);
+            let mean = |state: &State<f64>| {
+                state.primary.strain.iter().sum::<f64>() / state.primary.elements() as f64
+            };
+            for step in 1..=STEPS[0] {
+                let ended = march::step(paper, &mut state).is_err();
+                if ended || mean(&state) > 3.0 * base.strain {
+                    return Shaken { wound: 2.0 * base.strain, diverged: Some(step) };
+                }
+            }
+            Shaken { wound: mean(&state) - base.strain, diverged: None }
+        }
+    }
+    with_paper(&base.scene, March(base, courant, size))
+}
+
 /// Gives every free velocity its own small number. Along the fibre only for an axial projectile: a
 /// straight fibre without tension resists nothing else.
-fn disturb(state: &mut State<f64>, axial: bool) {
-    let size = PERTURBATION * state.primary.properties.wave_speed;
+fn disturb(state: &mut State<f64>, size: f64, axial: bool) {
+    let size = size * state.primary.properties.wave_speed;
     disturb_fibre(&mut state.primary, size, if axial { 1 } else { 2 });
     if let Some(crossover) = &mut state.crossover {
         disturb_fibre(&mut crossover.fibre, size, 3);

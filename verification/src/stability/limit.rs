@@ -1,7 +1,7 @@
 //! The largest stable Courant number, by bisection.
 
 /// Courant numbers are searched between these.
-pub const RANGE: (f64, f64) = (0.001, 2.0);
+pub const RANGE: (f64, f64) = (0.004, 2.0);
 
 /// From one Courant number to the next while nothing unstable has been seen.
 const STRIDE: f64 = 1.25;

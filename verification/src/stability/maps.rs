@@ -6,10 +6,11 @@ use crossfibre::number::Number;
 use crossfibre::scene::Strain;
 
 use super::base::Base;
-use super::closed_form::{finite, largest_courant};
+use super::closed_form::largest_courant;
 use super::growth::STEPS;
 use super::rows::{ALONE, Crossing, EDITIONS, MEASURES, at_rest, fibre, measure_name, struck};
 use super::tasks::Task;
+use super::uniform::finite;
 use crate::cases::support::exact_primary;
 use crate::closed_form::{component, law};
 use crate::plot::Axis;
@@ -124,7 +125,7 @@ pub fn maps() -> Vec<Map> {
         title: format!("Projectile along the fibre, {name} the node's inertia"),
         abscissa: "log10 of projectile mass over node mass [1]",
         label: ("log₁₀ of the projectile's mass over a node's", 1.0),
-        x: Grid::new(-6.0, 1.0, 29),
+        x: Grid::new(-5.0, 1.0, 25),
         courant: (Grid::new(0.025, 1.075, 22), 0.1),
         kind: Kind::Mass(set),
     });
@@ -159,7 +160,7 @@ impl Map {
     }
 
     /// The limit by hand, on fibres without end.
-    pub fn closed_form(&self, x: f64) -> f64 {
+    pub fn by_hand(&self, x: f64) -> f64 {
         largest_courant(&self.base(x))
     }
 

@@ -20,9 +20,11 @@ mod pictures;
 pub mod rows;
 pub mod spectrum;
 pub mod tasks;
+pub mod uniform;
 
 use std::collections::BTreeMap;
 
+use maps::Map;
 use rows::Row;
 use tasks::{Found, Task};
 
@@ -45,10 +47,10 @@ impl Results {
         self.0.get(id).unwrap_or_else(|| panic!("no point is called {id}"))
     }
 
-    /// The limits of a row: by the spectral radius, and measured.
-    fn limits(&self, row: &Row) -> (Option<f64>, Option<f64>) {
+    /// The limits of a row: by the spectral radius, measured, and what the march allows.
+    fn limits(&self, row: &Row) -> [Option<f64>; 3] {
         match self.of(&row.id) {
-            Found::Limits { predicted, measured } => (*predicted, *measured),
+            Found::Limits { predicted, measured, allowed } => [*predicted, *measured, *allowed],
             other => panic!("{} has no limits: {other:?}", row.id),
         }
     }
@@ -57,11 +59,13 @@ impl Results {
 /// Every file of the study, by name.
 pub fn files(results: &Results) -> Vec<(&'static str, String)> {
     let maps = maps::maps();
+    let columns: Vec<(&Map, f64)> =
+        maps.iter().flat_map(|map| map.x.values().into_iter().map(move |x| (map, x))).collect();
     let mut files = vec![
         ("README.md", page::page(results)),
-        ("limits.csv", limits(results)),
-        ("maps.csv", cells(results)),
-        ("edges.csv", edges(results)),
+        ("limits.csv", limits(results, &rows::rows())),
+        ("maps.csv", cells(results, &columns)),
+        ("edges.csv", edges(results, &columns)),
     ];
     for (pair, name) in maps.chunks(2).zip(["slide.svg", "modulus.svg", "velocity.svg", "mass.svg"])
     {
@@ -73,57 +77,56 @@ pub fn files(results: &Results) -> Vec<(&'static str, String)> {
 /// A limit in tables: to six decimals, which is more than the search and the eigenvalues are good to on
 /// every machine.
 fn decimal(limit: Option<f64>) -> String {
-    limit.map_or_else(|| format!("> {}", limit::RANGE.1), |limit| format!("{limit:.6}"))
+    match limit {
+        Some(limit) if limit <= limit::RANGE.1 => format!("{limit:.6}"),
+        _ => format!("> {}", limit::RANGE.1),
+    }
 }
 
-fn limits(results: &Results) -> String {
-    let mut table = Table::new(&["row", "spectral radius [1]", "measured [1]", "by hand [1]"]);
-    for row in rows::rows() {
-        let (predicted, measured) = results.limits(&row);
-        let by_hand = decimal(Some(row.closed_form));
-        table.row(&[row.id, decimal(predicted), decimal(measured), by_hand]);
+/// The head of the table of limits.
+pub const LIMITS: &str =
+    "row,by hand [1],spectral radius [1],measured [1],allowed by the march [1]";
+
+/// The limits of rows.
+pub fn limits(results: &Results, rows: &[Row]) -> String {
+    let mut table = Table::new(&[LIMITS]);
+    for row in rows {
+        let found = results.limits(row).map(decimal);
+        table.row(&[&[row.id.clone(), decimal(Some(row.by_hand))], &found[..]].concat());
     }
     table.text()
 }
 
-fn cells(results: &Results) -> String {
-    let mut table = Table::new(&[
-        "map",
-        "abscissa",
-        "value",
-        "Courant number [1]",
-        "state",
-        "ln of growth in a step [1]",
-        "steps until it diverged [1]",
-    ]);
-    for map in maps::maps() {
-        for x in map.x.values() {
-            for (found, courant) in map.cells(results, x).iter().zip(map.courant.0.values()) {
-                table.row(&[
-                    map.id.clone(),
-                    map.abscissa.into(),
-                    cell(Some(x)),
-                    cell(Some(courant)),
-                    pictures::State::name(found).into(),
-                    format!("{:.2e}", found.rate),
-                    cell(found.diverged.map(|step| step as f64)),
-                ]);
-            }
+/// The head of the table of cells.
+pub const CELLS: &str = "map,abscissa,value,Courant number [1],state,ln of growth in a step [1],steps \
+                         until it diverged [1]";
+
+/// The cells of columns of maps.
+pub fn cells(results: &Results, columns: &[(&Map, f64)]) -> String {
+    let mut table = Table::new(&[CELLS]);
+    for (map, x) in columns {
+        for (found, courant) in map.cells(results, *x).iter().zip(map.courant.0.values()) {
+            table.row(&[
+                map.id.clone(),
+                map.abscissa.into(),
+                cell(Some(*x)),
+                cell(Some(courant)),
+                pictures::State::name(found).into(),
+                format!("{:.2e}", found.rate),
+                cell(found.diverged.map(|step| step as f64)),
+            ]);
         }
     }
     table.text()
 }
 
-fn edges(results: &Results) -> String {
+/// The limits by columns of maps.
+fn edges(results: &Results, columns: &[(&Map, f64)]) -> String {
     let mut table = Table::new(&["map", "abscissa", "value", "spectral radius [1]", "by hand [1]"]);
-    for map in maps::maps() {
-        for x in map.x.values() {
-            let (edge, by_hand) = (map.edge(results, x), map.closed_form(x));
-            let numbers = [decimal(edge), decimal(Some(by_hand))];
-            table.row(
-                &[&[map.id.clone(), map.abscissa.into(), cell(Some(x))], &numbers[..]].concat(),
-            );
-        }
+    for (map, x) in columns {
+        let numbers = [map.edge(results, *x), Some(map.by_hand(*x))].map(decimal);
+        let head = [map.id.clone(), map.abscissa.into(), cell(Some(*x))];
+        table.row(&[&head[..], &numbers[..]].concat());
     }
     table.text()
 }

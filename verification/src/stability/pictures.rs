@@ -93,7 +93,7 @@ impl Map {
                 "by hand, fibres without end",
                 Colour::Blue,
                 Style::Dashed(1.8),
-                line(&|x| Some(self.closed_form(x))),
+                line(&|x| Some(self.by_hand(x))),
             ),
         ]);
         Panel {

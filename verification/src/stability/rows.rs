@@ -1,10 +1,12 @@
 //! The rows of the table of limits.
 
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::scene::{Material, Scene, Secondary, Strain};
+use crossfibre::material::{Arm, Coefficients, Update};
+use crossfibre::scene::{Law, Material, Scene, Secondary, Strain};
 
 use super::base::Base;
-use super::closed_form::{finite, largest_courant};
+use super::closed_form::largest_courant;
+use super::uniform;
 use crate::cases::support::shipped;
 
 /// Length of an element of either fibre, m.
@@ -28,7 +30,16 @@ pub struct Row {
     /// Its base state.
     pub base: Base,
     /// The limit by hand.
-    pub closed_form: f64,
+    pub by_hand: f64,
+}
+
+impl Row {
+    /// Whether its law dissipates.
+    pub fn dissipates(&self) -> bool {
+        let material = &self.base.scene.primary.material;
+        let arms = matches!(material.law, Law::Viscoelastic { .. } | Law::Eyring { .. });
+        arms || material.artificial_viscosity.is_some()
+    }
 }
 
 /// A part of the table.
@@ -36,6 +47,8 @@ pub struct Row {
 pub enum Group {
     /// A uniform fibre.
     Uniform,
+    /// The same of other laws.
+    Law,
     /// The projectile's node.
     Projectile,
     /// The crossover's node.
@@ -46,12 +59,14 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of the page.
-    pub const ALL: [Self; 4] = [Self::Uniform, Self::Projectile, Self::Crossover, Self::Unequal];
+    pub const ALL: [Self; 5] =
+        [Self::Uniform, Self::Law, Self::Projectile, Self::Crossover, Self::Unequal];
 
     /// Its name in ids.
     pub fn name(self) -> &'static str {
         match self {
             Self::Uniform => "uniform",
+            Self::Law => "law",
             Self::Projectile => "projectile",
             Self::Crossover => "crossover",
             Self::Unequal => "unequal",
@@ -61,13 +76,15 @@ impl Group {
 
 /// Every row.
 pub fn rows() -> Vec<Row> {
-    [uniform(), projectile(), crossover(), unequal()].concat()
+    [uniform(), laws(), projectile(), crossover(), unequal()].concat()
 }
 
-fn row(group: Group, cells: &[String], base: Base, closed_form: f64) -> Row {
+fn row(group: Group, cells: &[String], base: Base, by_hand: f64) -> Row {
     let words = cells.join("-");
-    let id = words.replace([' ', ','], "-").replace("%", "pc").replace("--", "-");
-    Row { id: format!("{}-{id}", group.name()), group, cells: cells.to_vec(), base, closed_form }
+    // Of letters that a file's name may have.
+    let id = words.replace(['(', ')', ',', '%'], "").replace("E∞", "E").replace('τ', "t");
+    let id = id.split_whitespace().collect::<Vec<_>>().join("-");
+    Row { id: format!("{}-{id}", group.name()), group, cells: cells.to_vec(), base, by_hand }
 }
 
 /// The paper's fibre with so many elements of 2 mm.
@@ -105,9 +122,74 @@ fn uniform() -> Vec<Row> {
         for strain in [0.0, 0.0145, 0.1, 0.5, -0.01] {
             let base = at_rest(fibre(ALONE, measure), strain);
             let cells = [measure_name(measure).into(), percent(strain)];
-            // What is shorter than it was buckles: it moves away at any step length.
-            let limit = if strain < 0.0 { 0.0 } else { largest_courant(&base) * finite(ALONE) };
+            let limit = uniform::held(&base);
             rows.push(row(Group::Uniform, &cells, base, limit));
+        }
+    }
+    rows
+}
+
+/// A row of a uniform fibre of another law. Without strain there is no tension across it, and only
+/// what moves along it is looked at.
+fn of_law(name: &str, material: Material, measure: Strain, strain: f64) -> Row {
+    let mut scene = fibre(ALONE, measure);
+    scene.primary.material = material;
+    let base = Base { axial: strain == 0.0, ..at_rest(scene, strain) };
+    let cells = [name.to_owned(), measure_name(measure).into(), percent(strain)];
+    let limit = uniform::held(&base);
+    row(Group::Law, &cells, base, limit)
+}
+
+/// The modulus of the paper, Pa.
+const MODULUS: f64 = 58.6e9;
+
+fn laws() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for measure in MEASURES {
+        for strain in [0.0145, 0.05] {
+            for (name, second) in [("stiffening polynomial", 2e12), ("softening polynomial", -5e11)]
+            {
+                let law = Law::Polynomial { coefficients: vec![MODULUS, second] };
+                rows.push(of_law(name, law.into(), measure, strain));
+            }
+            let law = Law::Exponential { a: MODULUS / 40.0, b: 40.0 };
+            rows.push(of_law("exponential", law.into(), measure, strain));
+        }
+        let slack = Material { tension_only: true, ..Material::linear(MODULUS) };
+        rows.push(of_law("(7), tension only", slack, measure, -0.01));
+        for linear in [0.05, 0.1, 0.5] {
+            let artificial_viscosity = Some(Coefficients { linear, quadratic: 1.0 });
+            let material = Material { artificial_viscosity, ..Material::linear(MODULUS) };
+            rows.push(of_law(&format!("(7), viscosity {linear}"), material, measure, 0.0145));
+        }
+    }
+    rows.extend(arms());
+    rows
+}
+
+/// A spring beside an arm, and an arm alone; times over that of a wave through an element.
+fn arms() -> Vec<Row> {
+    let scene = fibre(ALONE, Strain::Engineering);
+    let crossing_time = SPACING * (scene.primary.density / MODULUS).sqrt();
+    let (stress, measure) = (40e6, Strain::Engineering);
+    let mut rows = Vec::new();
+    for (update, name) in [(Update::Literal, "literal"), (Update::Exact, "exact")] {
+        for time in [0.01, 0.1, 0.7, 3.0, 100.0] {
+            for equilibrium in [0.0, 0.4] {
+                let (equilibrium_modulus, modulus) =
+                    (equilibrium * MODULUS, (1.0 - equilibrium) * MODULUS);
+                let relaxation_time = time * crossing_time;
+                let arms = vec![Arm { modulus, relaxation_time }];
+                let maxwell = Law::Viscoelastic { equilibrium_modulus, arms, update };
+                // Small stresses relax with the time stress/(E rate).
+                let rate = stress / (modulus * relaxation_time);
+                let eyring = Law::Eyring { equilibrium_modulus, modulus, rate, stress, update };
+                let strain = if equilibrium == 0.0 { 0.0 } else { 0.0145 };
+                for (law, of) in [(maxwell, "Maxwell"), (eyring, "Eyring")] {
+                    let name = format!("{of} {name}, E∞ {equilibrium}, τ {time}");
+                    rows.push(of_law(&name, law.into(), measure, strain));
+                }
+            }
         }
     }
     rows
@@ -130,7 +212,7 @@ pub fn struck(mass_ratio: f64, corrections: Corrections, axial: bool, elements: 
 fn projectile() -> Vec<Row> {
     let mut rows = Vec::new();
     for axial in [true, false] {
-        for mass_ratio in [10.0, 1.0, 0.3, 0.1, 0.01, 1e-4, 1e-6] {
+        for mass_ratio in [10.0, 1.0, 0.3, 0.1, 0.01, 1e-4, 1e-5] {
             for (inertia, corrections) in without(Erratum::ProjectileInertia) {
                 let base = struck(mass_ratio, corrections, axial, ALONE);
                 let across = if axial { "along" } else { "across" };
@@ -163,7 +245,7 @@ impl Crossing {
     /// The base state.
     pub fn base(&self) -> Base {
         let mut scene = fibre(CROSSED.0, self.measure);
-        let Material::Linear { modulus } = scene.primary.material;
+        let modulus = scene.primary.material.instantaneous_modulus();
         scene.corrections = self.corrections;
         scene.secondary = Some(Secondary {
             at: 0.5 * scene.primary.length,
@@ -171,7 +253,7 @@ impl Crossing {
             elements: CROSSED.1,
             density: self.density * scene.primary.density,
             area: scene.primary.area,
-            material: Material::Linear { modulus: self.modulus * modulus },
+            material: Material::linear(self.modulus * modulus),
             slide_factor: self.slide_factor,
         });
         Base { secondary_strain: 0.003, tilt: self.tilt, ..at_rest(scene, 0.0145) }

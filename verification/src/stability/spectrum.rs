@@ -34,13 +34,14 @@ pub fn variables<S: Number>(state: &mut State<S>) -> Vec<&mut S> {
 }
 
 fn of_fibre<S: Number, const D: usize>(fibre: &mut FibreState<S, D>) -> Vec<&mut S> {
-    let FibreState { position, velocity, pull, strain, tension, .. } = fibre;
+    let FibreState { position, velocity, pull, strain, tension, constitution, .. } = fibre;
     let vectors = [position, velocity, pull].into_iter().flatten().flat_map(|v| v.iter_mut());
-    vectors.chain(strain).chain(tension).collect()
+    let memory = constitution.iter_mut().flat_map(|by| &mut by.memory);
+    vectors.chain(strain).chain(tension).chain(memory).collect()
 }
 
 /// One step of the edition that a scene asks for.
-struct Step<'a, S: Number>(&'a mut State<S>);
+pub struct Step<'a, S: Number>(pub &'a mut State<S>);
 
 impl<S: Number> WithPaper<S> for Step<'_, S> {
     type Out = Result<(), Outcome>;
