@@ -1,14 +1,15 @@
 //! `crossfibre study`: sweeps of many runs, and what is drawn from them.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::{Context, Result};
 use clap::Subcommand;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use crate::cost::{costs, page};
 use crate::exit::Exit;
 use crate::output::Destination;
 use crate::sweep::{Places, Point, Shard, sweep};
@@ -27,6 +28,16 @@ enum Study {
     Figures(Sweep),
     /// Find the largest stable Courant numbers, and compare them with the linearised step.
     Stability(Sweep),
+    /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
+    Cost(Page),
+}
+
+/// Where the page of a study goes.
+#[derive(clap::Args)]
+struct Page {
+    /// Folder for the page
+    #[arg(long, default_value = "target/study/cost", value_name = "DIR")]
+    out: PathBuf,
 }
 
 /// Where a study goes, and which part of it is computed.
@@ -60,6 +71,7 @@ pub fn run(args: Args) -> Result<Exit> {
                 draw,
             )
         }
+        Study::Cost(page) => cost(&page),
         Study::Stability(sweep) => {
             let draw =
                 |points: &[_], found| stability::files(&stability::Results::new(points, found));
@@ -105,6 +117,20 @@ where
         write(&out.join(name), &text)?;
     }
     writeln!(to, "{short}: {}", out.display())?;
+    Ok(Exit::Well)
+}
+
+fn cost(args: &Page) -> Result<Exit> {
+    fs::create_dir_all(&args.out)
+        .with_context(|| format!("{}: cannot be made a folder", args.out.display()))?;
+    let costs = costs(&env::current_exe()?)?;
+    let page = page(&costs);
+    write(&args.out.join("README.md"), &page)?;
+    let mut to = io::stdout().lock();
+    write!(to, "{page}")?;
+    if costs.iter().any(|cost| cost.instructions.is_none()) {
+        writeln!(to, "\nvalgrind is not there: no instructions are counted")?;
+    }
     Ok(Exit::Well)
 }
 
