@@ -190,7 +190,7 @@ mod tests {
     fn growth_with_a_power_of_time_is_told_from_exponential_growth() {
         for (rate, power) in [(0.0, 0), (0.0, 1), (0.0, 2), (3.7e-4, 0), (3.7e-4, 1), (-2.1e-4, 0)]
         {
-            let (mut steps, mut quarters) = (STEPS[0], [0.0; 4]);
+            let (steps, mut quarters) = (STEPS[0], [0.0; 4]);
             for step in 0..steps {
                 let t = (step + 1) as f64;
                 let size = t.powi(power) * Number::exp(rate * t);

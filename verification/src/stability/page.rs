@@ -176,8 +176,8 @@ fn projectile_section(results: &Results) -> String {
 A node of mass μΔm at the end of a fibre has the limit 2√(μ(1 − μ)) for μ < ½, and that of the fibre from
 μ = ½ on; half of the projectile belongs to each half of the fibre. Equation (8) as printed has
 μ = m_p/2Δm, and a projectile lighter than a node makes the march unstable: at a hundred thousandth of
-a node's mass the Courant number must not exceed {lightest:.4}. With the node's own inertia (`projectile-inertia`) μ is never less than
-½, and no projectile is too light. Across a fibre it is the transverse stiffness T/L that counts, less by
+a node's mass the Courant number must not exceed {lightest:.4}. With the node's own inertia
+(`projectile-inertia`) μ is never less than ½, and no projectile is too light. Across a fibre it is the transverse stiffness T/L that counts, less by
 the strain: at 1.45 % a projectile is too light below some 0.7 % of a node.
 
 {}
@@ -208,12 +208,13 @@ its limit falls, for equal fibres and α_s = 1 as
 
     α² = 1 − (x/(1 + x))²,    x = tilt².
 
-That is {held} at a tilt of {tilted:.2}, so a run can be stable until the crossover has been pulled along that far. With the arms' inertia (`crossover-inertia`) the limit is that of the fibres at
-every slide factor, tilt, and ratio of moduli and densities that was tried, and below it nothing was
-found to grow. That momentum is not conserved at α_s < 1 makes these states not unstable: what is taken
-from the force along the fibre is taken from the velocity too, as a lever does, with the mass
-Δm1 + α_s²Δm2 for it. The crossover as printed is not unstable either while it is straight: (16) lets the motion
-along the fibre push the one across, at the same frequency, and a disturbance grows with a power of time.
+That is {held} at a tilt of {tilted:.2}, so a run can be stable until the crossover has been pulled along that
+far. With the arms' inertia (`crossover-inertia`) the limit is that of the fibres at every slide factor,
+tilt, and ratio of moduli and densities that was tried, and below it nothing was found to grow. That
+momentum is not conserved at α_s < 1 does not make these states unstable: what is taken from the force along
+the fibre is taken from the velocity too, as by a lever, and the mass Δm1 + α_s²Δm2 goes with it. The
+crossover as printed is not unstable either while it is straight: (16) lets the motion along the fibre
+push the one across, at the same frequency, and a disturbance grows with a power of time.
 
 {}
 Two different fibres, engineering strain, α_s = 1:

@@ -101,8 +101,8 @@ fn blocks(matrix: &DMatrix<f64>) -> Vec<Vec<usize>> {
         })
         .collect();
     let mut blocks: Vec<Vec<usize>> = Vec::new();
-    for i in 0..count {
-        let home = blocks.iter_mut().find(|block| reached[i][block[0]] && reached[block[0]][i]);
+    for (i, from_here) in reached.iter().enumerate() {
+        let home = blocks.iter_mut().find(|block| from_here[block[0]] && reached[block[0]][i]);
         match home {
             Some(block) => block.push(i),
             None => blocks.push(vec![i]),
