@@ -184,8 +184,8 @@ fn squares<const D: usize>(fibre: &FibreState<f64, D>) -> (f64, usize) {
 mod tests {
     use super::*;
 
-    /// Sums of t^2p exp(2rt) over quarters. A sum over a quarter is not the value in its middle: 1e-6 a
-    /// step of the rate, 2 % of the growth over ten thousand steps.
+    /// Sums of t^2p exp(2rt) over quarters. A sum over a quarter is not the value in its middle: worst
+    /// 2.7e-5, of t², a seventh of what is called unstable.
     #[test]
     fn growth_with_a_power_of_time_is_told_from_exponential_growth() {
         for (rate, power) in [(0.0, 0), (0.0, 1), (0.0, 2), (3.7e-4, 0), (3.7e-4, 1), (-2.1e-4, 0)]
@@ -197,7 +197,7 @@ mod tests {
                 quarters[(step * 4 / steps) as usize] += size * size;
             }
             let found = late_rate(steps, quarters);
-            assert!((found - rate).abs() < 1.2e-5, "{rate} {power}: {found}");
+            assert!((found - rate).abs() < 5e-5, "{rate} {power}: {found}");
         }
     }
 }

@@ -156,8 +156,8 @@ mod tests {
         base
     }
 
-    /// Central differences of the march of doubles: 1e-6 of a variable's own scale leaves 1e-10 of
-    /// rounding and 1e-12 of the third derivative, of derivatives that are of order 1 on those scales.
+    /// Central differences of the march of doubles by 1e-6 of a variable's own scale. A position is up
+    /// to 24 elements, so its rounding leaves 24 × 2.2e-16/1e-6 = 5e-9; third derivatives 1e-12.
     #[test]
     fn the_derivative_of_a_step_is_that_of_difference_quotients() {
         for measure in [Strain::Incremental, Strain::Engineering] {
@@ -181,7 +181,7 @@ mod tests {
                     worst = worst.max((found - exact[(row, column)]).abs() / unit);
                 }
             }
-            assert!(worst < 3e-9, "{measure:?}: {worst:e}");
+            assert!(worst < 1.5e-8, "{measure:?}: {worst:e}");
         }
     }
 
