@@ -124,6 +124,12 @@ impl<S: Number> Constitution<S> {
         }))
     }
 
+    /// The same without a bound: what comes of a wave speed that outgrows the step is then seen.
+    #[must_use]
+    pub fn unbounded(self) -> Self {
+        Self { bound: None, ..self }
+    }
+
     /// Stresses of a block of elements from their strains; the elements' memory moves on.
     pub(crate) fn stresses(&mut self, first: usize, strain: &[S]) {
         let (count, n) = (strain.len(), self.each);

@@ -17,9 +17,12 @@ pub mod ledger_effects;
 pub mod output;
 pub mod plot;
 pub mod record;
+
 pub mod report;
+pub mod stability;
 pub mod summary;
 pub mod sweep;
+pub mod tables;
 pub mod trace_line;
 pub mod wide;
 pub mod worked;

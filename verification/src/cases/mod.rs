@@ -14,6 +14,7 @@ pub(crate) mod materials;
 mod motion;
 mod projectile;
 mod smith;
+mod stability;
 pub mod support;
 
 use serde::{Deserialize, Serialize};
@@ -101,6 +102,7 @@ pub fn all() -> Vec<Case> {
         smith::CASES,
         axial::CASES,
         courant::CASES,
+        stability::CASES,
         crossover::CASES,
         projectile::CASES,
         conservation::CASES,

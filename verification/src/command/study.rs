@@ -6,13 +6,14 @@ use std::{env, fs};
 
 use anyhow::{Context, Result};
 use clap::Subcommand;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use crate::cost::{costs, page};
 use crate::exit::Exit;
-use crate::figures::points::{points, snapshot};
-use crate::figures::{STUDY, Snapshots, files};
 use crate::output::Destination;
-use crate::sweep::{Places, Shard, sweep};
+use crate::sweep::{Places, Point, Shard, sweep};
+use crate::{figures, stability};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -25,6 +26,8 @@ pub struct Args {
 enum Study {
     /// Redraw Figs 3 to 7 of the paper, from the scheme and from exact solutions.
     Figures(Sweep),
+    /// Find the largest stable Courant numbers, and compare them with the linearised step.
+    Stability(Sweep),
     /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
     Cost(Page),
 }
@@ -37,18 +40,16 @@ struct Page {
     out: PathBuf,
 }
 
-/// A folder for each build of the program, so that what another one has computed is not in the way.
-const POINTS: &str = concat!("target/study/figures-points/", env!("CROSSFIBRE_SOURCE"));
-
 /// Where a study goes, and which part of it is computed.
 #[derive(clap::Args)]
 struct Sweep {
-    /// Folder for the pictures, tables and the page
-    #[arg(long, default_value = "target/study/figures", value_name = "DIR")]
-    out: PathBuf,
-    /// Folder where each finished run is stored; what is there is not computed again
-    #[arg(long, default_value = POINTS, value_name = "DIR")]
-    points: PathBuf,
+    /// Folder for the pictures, tables and the page [default: target/study/STUDY]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Folder where each finished run is stored; what is there is not computed again [default: one
+    /// in target/study for each study and build]
+    #[arg(long, value_name = "DIR")]
+    points: Option<PathBuf>,
     /// Compute part I of N only, and draw nothing as long as runs are missing
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
@@ -59,19 +60,51 @@ struct Sweep {
 
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
-        Study::Figures(sweep) => figures(sweep),
+        Study::Figures(sweep) => {
+            let draw =
+                |points: &[_], found| figures::files(&figures::Snapshots::new(points, found));
+            study(
+                sweep,
+                figures::STUDY,
+                &figures::points::points(),
+                figures::points::snapshot,
+                draw,
+            )
+        }
         Study::Cost(page) => cost(&page),
+        Study::Stability(sweep) => {
+            let draw =
+                |points: &[_], found| stability::files(&stability::Results::new(points, found));
+            let points = stability::tasks::points();
+            study(sweep, stability::STUDY, &points, stability::tasks::compute, draw)
+        }
     }
 }
 
-fn figures(args: Sweep) -> Result<Exit> {
+/// Computes the points of a study that are not stored, and if none is missing, draws.
+fn study<P, V>(
+    args: Sweep,
+    name: &str,
+    points: &[Point<P>],
+    compute: impl Fn(&P) -> V + Sync,
+    draw: impl Fn(&[Point<P>], Vec<V>) -> Vec<(&'static str, String)>,
+) -> Result<Exit>
+where
+    P: Serialize + Sync,
+    V: Serialize + DeserializeOwned + Send,
+{
     let Sweep { out, points: folder, shard, from } = args;
+    let short = name.split('/').next().unwrap_or(name);
+    let out = out.unwrap_or_else(|| Path::new("target/study").join(short));
+    // A folder for each build of the program, so that what another one has computed is not in the way.
+    let folder = folder.unwrap_or_else(|| {
+        Path::new("target/study").join(format!("{short}-points")).join(env!("CROSSFIBRE_SOURCE"))
+    });
     // Before hours of work, not after.
     fs::create_dir_all(&out)
         .with_context(|| format!("{}: cannot be made a folder", out.display()))?;
-    let points = points();
     let places = Places { points: folder, from, shard };
-    let values = sweep(STUDY, &points, &places, snapshot)?;
+    let values = sweep(name, points, &places, compute)?;
     let all = values.len();
     let found: Vec<_> = values.into_iter().flatten().collect();
     let mut to = io::stdout().lock();
@@ -80,10 +113,10 @@ fn figures(args: Sweep) -> Result<Exit> {
         writeln!(to, "nothing is drawn yet: compute the other parts, and unite them by --from")?;
         return Ok(Exit::Well);
     }
-    for (name, text) in files(&Snapshots::new(&points, found)) {
+    for (name, text) in draw(points, found) {
         write(&out.join(name), &text)?;
     }
-    writeln!(to, "figures: {}", out.display())?;
+    writeln!(to, "{short}: {}", out.display())?;
     Ok(Exit::Well)
 }
 

@@ -4,11 +4,11 @@ use crossfibre::exact::crossover::Coefficients;
 use crossfibre::scene::Strain;
 
 use super::points::{Abscissa, CURVES, Edition, curve_id, element};
-use super::table::{Table, cell};
 use super::{Snapshots, Window};
 use crate::cases::crossover::exact_coefficients;
 use crate::cases::support::measured_by;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
+use crate::tables::{Table, cell};
 
 /// One of R, T and D.
 #[derive(Clone, Copy)]

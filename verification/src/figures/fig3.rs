@@ -2,12 +2,12 @@
 
 use super::Snapshots;
 use super::points::{Edition, Strains, element};
-use super::table::{Table, cell};
 use crate::cases::support::{exact_single, measured_by, shipped};
 use crate::closed_form::problem;
 use crate::exact_file::ExactFile;
 use crate::exact_plot;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
+use crate::tables::{Table, cell};
 use crossfibre::exact::fronts::Segment;
 use crossfibre::exact::motion::{Motion, motion};
 use crossfibre::scene::{Scene, Strain};

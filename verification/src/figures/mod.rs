@@ -7,7 +7,6 @@ mod curves;
 mod fig3;
 mod page;
 pub mod points;
-mod table;
 mod window;
 
 use crossfibre::exact::crossover::Coefficients;

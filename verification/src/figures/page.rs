@@ -11,6 +11,7 @@ use super::window::{Family, WIDTHS, exact_extremes, extremes};
 use super::{Snapshots, Window, fig3};
 use crate::cases::crossover::exact_coefficients;
 use crate::cases::support::{measured_by, shipped};
+use crate::tables::markdown as table;
 
 /// The page.
 pub fn page(snapshots: &Snapshots) -> String {
@@ -24,15 +25,6 @@ pub fn page(snapshots: &Snapshots) -> String {
         files_section(),
     ]
     .join("\n")
-}
-
-/// A table of Markdown: the head, then rows.
-fn table(head: &[&str], rows: &[Vec<String>]) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let rule = vec!["---".to_owned(); head.len()];
-    let head: Vec<String> = head.iter().map(|&cell| cell.to_owned()).collect();
-    let rows: String = rows.iter().map(|row| line(row)).collect();
-    line(&head) + &line(&rule) + &rows
 }
 
 /// R, T and D in four decimals; dashes where the run did not complete.

@@ -7,11 +7,11 @@ use crossfibre::scene::Strain;
 use super::Snapshots;
 use super::fig3::exact;
 use super::points::{Edition, PROFILE_MESHES, element, mean_over};
-use super::table::{Table, cell};
 use crate::cases::support::{exact_single, measured_by, shipped};
 use crate::closed_form::component;
 use crate::fronts::Fronts;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
+use crate::tables::{Table, cell};
 
 /// Widths of the windows, mm.
 pub const WIDTHS: [f64; 3] = [10.0, 20.0, 40.0];

@@ -83,6 +83,13 @@ fn sample(scene: &mut Scene, series: &Series, x: f64, y: f64) {
             let d = format!("M{middle:.2},{top:.2} L{left:.2},{low:.2} L{right:.2},{low:.2} Z");
             path(d, 0.5, Some(colour()), None);
         }
+        Style::Cells { .. } => {
+            let (right, top, low) = (x + SAMPLE, y - 0.35 * LINE, y + 0.35 * LINE);
+            let d = format!(
+                "M{x:.2},{low:.2} L{x:.2},{top:.2} L{right:.2},{top:.2} L{right:.2},{low:.2} Z"
+            );
+            path(d, 0.0, Some(colour()), None);
+        }
         Style::Circles => scene.add(Primitive::Circle {
             cx: middle,
             cy: y,

@@ -3,16 +3,17 @@
 //! A plot is a row of [`Panel`]s; a panel has two linear axes and [`Series`]. What leaves the axes is
 //! cut off. A coordinate that is not finite breaks a line: gaps and separate strokes of one series are
 //! made so. The plot has a white ground of its own, and the colours of Okabe and Ito, which people
-//! of any colour vision tell apart.
+//! of any colour vision tell apart; cells of a map have paler and darker ones beside them.
 
 mod legend;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::line::LineStyle;
 use kuva::plot::scatter::MarkerShape;
-use kuva::plot::{LinePlot, ScatterPlot};
+use kuva::plot::{ColorMap, Heatmap, LinePlot, ScatterPlot};
 use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
@@ -30,6 +31,9 @@ pub enum Colour {
     Orange,
     Vermillion,
     Purple,
+    Brown,
+    Sand,
+    Mist,
 }
 
 impl Colour {
@@ -43,6 +47,9 @@ impl Colour {
             Self::Orange => "#E69F00",
             Self::Vermillion => "#D55E00",
             Self::Purple => "#CC79A7",
+            Self::Brown => "#7a2e00",
+            Self::Sand => "#f8dfa8",
+            Self::Mist => "#e3ecf4",
         }
     }
 }
@@ -62,6 +69,13 @@ pub enum Style {
     Pluses,
     /// Filled triangles.
     Triangles,
+    /// Filled cells of a map around the points, of a size in the units of the axes.
+    Cells {
+        /// From left to right.
+        width: f64,
+        /// From below to above.
+        height: f64,
+    },
 }
 
 impl Style {
@@ -234,6 +248,19 @@ fn drawn(series: &Series) -> Vec<Plot> {
         Style::Circles => marked(MarkerShape::Circle, 0.0),
         Style::Pluses => marked(MarkerShape::Plus, 1.0),
         Style::Triangles => marked(MarkerShape::Triangle, 1.0),
+        Style::Cells { width, height } => {
+            let colours = ColorMap::Custom(Arc::new(move |_| colour.into()));
+            let cell = |&(x, y): &(f64, f64)| {
+                let map = Heatmap::new()
+                    .with_data([[0.0]])
+                    .with_color_map(colours.clone())
+                    .with_x_range(x - 0.5 * width, x + 0.5 * width)
+                    .with_y_range(y - 0.5 * height, y + 0.5 * height)
+                    .with_cell_size(1.0);
+                Plot::Heatmap(map)
+            };
+            series.points.iter().filter(|point| finite(point)).map(cell).collect()
+        }
     }
 }
 

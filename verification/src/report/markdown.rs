@@ -88,7 +88,8 @@ fn head(out: &mut String, record: &Record) {
          problems of strings](docs/exact/riemann.md), [the motion at any \
          time](docs/exact/fronts.md), [axial waves and \
          dispersion](docs/exact/axial-and-dispersion.md). The paper's figures, drawn from the scheme and \
-         from exact solutions, are in [docs/figures](docs/figures/README.md). All numbers are \
+         from exact solutions, are in [docs/figures](docs/figures/README.md), the largest stable Courant \
+         numbers in [docs/stability](docs/stability/README.md). All numbers are \
          deterministic, so a bound is held to the error that it was set for: a tolerance \
          of more than {HEAD_ROOM} times its error fails the check as too loose, as does a fault that is \
          more than {HEAD_ROOM} times the least that must show. *Head-room* is the factor between the two.\n"
