@@ -29,7 +29,8 @@ pub enum Outcome {
         /// Which end.
         end: End,
     },
-    /// Every number is finite, but the energy balance is broken: an instability has run away.
+    /// Every number is finite, but the energy balance is broken ([`crate::result::MOST_IMBALANCE`]):
+    /// the equations were used where they do not hold, or an instability has run away.
     EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
@@ -81,11 +82,15 @@ impl fmt::Display for Outcome {
             }
             Self::EnergyUnbalanced { step, residual: Some(residual) } => write!(
                 f,
-                "unstable: at step {step} the energy balance is off by {residual:.1e} times the \
-                 energy put in"
+                "energy unbalanced: at step {step} the balance is off by {} times the energy put in",
+                if *residual < 100.0 {
+                    format!("{residual:.2}")
+                } else {
+                    format!("{residual:.1e}")
+                }
             ),
             Self::EnergyUnbalanced { step, residual: None } => {
-                write!(f, "unstable: at step {step} the energy is beyond all numbers")
+                write!(f, "energy unbalanced: at step {step} the energy is beyond all numbers")
             }
         }
     }
