@@ -17,6 +17,8 @@ pub mod support;
 
 use serde::{Deserialize, Serialize};
 
+use crate::extremes;
+
 /// One comparison with an oracle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
@@ -107,6 +109,7 @@ pub fn all() -> Vec<Case> {
         invariance::CASES,
         motion::CASES,
         golden::CASES,
+        &extremes::cases(),
     ]
     .concat()
 }

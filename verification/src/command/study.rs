@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use clap::Subcommand;
 
 use crate::exit::Exit;
+use crate::extremes::page;
 use crate::figures::points::{points, snapshot};
 use crate::figures::{STUDY, Snapshots, files};
 use crate::output::Destination;
@@ -24,6 +25,16 @@ pub struct Args {
 enum Study {
     /// Redraw Figs 3 to 7 of the paper, from the scheme and from exact solutions.
     Figures(Sweep),
+    /// Run the extreme cases, and say what happens, whether it is right, and what the program says.
+    Extremes(Extremes),
+}
+
+/// Where the page of the extreme cases goes.
+#[derive(clap::Args)]
+struct Extremes {
+    /// Folder for the page, in place of standard output
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
 }
 
 /// A folder for each build of the program, so that what another one has computed is not in the way.
@@ -49,7 +60,19 @@ struct Sweep {
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
         Study::Figures(sweep) => figures(sweep),
+        Study::Extremes(Extremes { out }) => extremes(out.as_deref()),
     }
+}
+
+fn extremes(out: Option<&Path>) -> Result<Exit> {
+    let Some(folder) = out else {
+        write!(io::stdout().lock(), "{}", page())?;
+        return Ok(Exit::Well);
+    };
+    fs::create_dir_all(folder)
+        .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
+    write(&folder.join("README.md"), &page())?;
+    Ok(Exit::Well)
 }
 
 fn figures(args: Sweep) -> Result<Exit> {
