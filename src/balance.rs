@@ -10,10 +10,12 @@
 //! **Energy** needs velocities at the time of the positions. `v^t` carries `x^{t−1}` to `x^t` and so
 //! belongs to the middle of that step; the mean of `v^t` and `v^{t+1}` belongs to `x^t`.
 //! The stored energy is that of the scene's own law: ½ E ε² for engineering strain, and
-//! E [(ε − 1) exp ε + 1] for eqns (4) and (7), which are T = E ln λ.
+//! E [(ε − 1) exp ε + 1] for eqns (4) and (7), which are T = E ln λ. Other laws have their own, or
+//! under (4) the work along the path ([`crate::constitution::PathEnergy`]).
 
 use serde::{Deserialize, Serialize};
 
+use crate::constitution::PathEnergy;
 use crate::number::{Number, Vector};
 use crate::paper::Paper;
 use crate::scene::Strain;
@@ -39,13 +41,16 @@ pub struct Energy {
     pub kinetic: f64,
     /// Stretched fibres, both kinds.
     pub stored: f64,
+    /// What dashpots and artificial viscosity have taken.
+    #[serde(default)]
+    pub dissipated: f64,
     /// The projectile.
     pub projectile: f64,
     /// At the moment of impact.
     pub initial: f64,
     /// Work of whatever keeps a projectile without mass at its velocity.
     pub work: f64,
-    /// (kinetic + stored + projectile) − (initial + work): zero if energy is conserved.
+    /// (kinetic + stored + dissipated + projectile) − (initial + work): zero if energy is conserved.
     pub residual: f64,
 }
 
@@ -127,10 +132,36 @@ impl<S: Number> State<S> {
 
     /// Books the work of the step just made: mean force times way.
     pub(crate) fn account_for_work(&mut self, first_before: S) {
-        if self.projectile.mass.is_none() {
-            let way = self.projectile.velocity * self.time_step;
-            self.accounts.drive_work -= (first_before + self.first_tension_along_axis()) * way;
-        }
+        let way = self.along_axis(&self.primary.velocity[0]) * self.time_step;
+        let force = first_before + self.first_tension_along_axis();
+        let accounts = &mut self.accounts;
+        accounts.drive_work -= force * way;
+        accounts.most_work = accounts.most_work.max(accounts.drive_work);
+    }
+
+    /// How far the energy of the fibres without their first node is from the work done on them, over
+    /// the most that they have been given. Beside a heavy projectile the whole balance does not show
+    /// it: what the fibres have is a small part of what the projectile keeps.
+    pub fn fibre_imbalance(&self, energy: &Energy) -> f64 {
+        let node_mass = self.projectile_node_mass();
+        let share = node_mass / (node_mass + self.projectile_mass());
+        let [node, at_impact] =
+            [self.middle_energy_of_first(), self.accounts.initial_energy * share];
+        let has = energy.kinetic - node.to_f64() + energy.stored + energy.dissipated;
+        let given = at_impact + self.accounts.most_work;
+        (has - self.accounts.drive_work.to_f64()) / given.to_f64()
+    }
+
+    /// Mean of the first node's velocities before and after, which belongs to its position.
+    fn middle_velocity(&self) -> S {
+        let node = self.along_axis(&self.primary.velocity[0]);
+        S::half() * (node + self.projectile.velocity)
+    }
+
+    /// Kinetic energy of the first node's own mass.
+    fn middle_energy_of_first(&self) -> S {
+        let mid = self.middle_velocity();
+        S::half() * self.projectile_node_mass() * mid * mid
     }
 
     /// Draws the balance. `paper` must be the edition of the march, without a tracer.
@@ -142,12 +173,14 @@ impl<S: Number> State<S> {
         // The first node: half a lump each half, and the projectile.
         let node = self.along_axis(&self.primary.velocity[0]);
         let node_mass = self.projectile_node_mass();
-        let mid = half * (node + self.projectile.velocity);
+        let mid = self.middle_velocity();
 
         let mut momentum =
             node_mass * node + two * self.primary.inner_momentum(|v| self.along_axis(v));
-        let mut kinetic = half * node_mass * mid * mid;
-        let mut stored = two * self.primary.stored_energy(measure);
+        let mut kinetic = self.middle_energy_of_first();
+        let of_primary = self.primary.energies(measure);
+        let mut stored = two * of_primary.stored;
+        let mut dissipated = two * of_primary.dissipated;
         kinetic += two
             * self.primary.inner_kinetic_energy(paper, |i, v| match &self.crossover {
                 Some(crossover) if crossover.node == i => {
@@ -159,7 +192,9 @@ impl<S: Number> State<S> {
             let fibre = &crossover.fibre;
             momentum += arms * fibre.inner_momentum(|v| self.along_axis(v));
             kinetic += arms * fibre.inner_kinetic_energy(paper, |_, v| v);
-            stored += arms * fibre.stored_energy(measure);
+            let of_fibre = fibre.energies(measure);
+            stored += arms * of_fibre.stored;
+            dissipated += arms * of_fibre.dissipated;
             if !crossover.at_origin() {
                 let first_mass = half * fibre.properties.mass;
                 momentum += arms * first_mass * self.along_axis(&fibre.velocity[0]);
@@ -171,16 +206,19 @@ impl<S: Number> State<S> {
         let mass = self.projectile_mass();
         let projectile = half * mass * mid * mid;
         let accounts = &self.accounts;
-        let (kinetic, stored) = (kinetic.to_f64(), stored.to_f64());
+        let driven = self.projectile.mass.is_none();
+        let work = if driven { accounts.drive_work.to_f64() } else { 0.0 };
+        let [kinetic, stored, dissipated] = [kinetic, stored, dissipated].map(S::to_f64);
         let energy = Energy {
             kinetic,
             stored,
+            dissipated,
             projectile: projectile.to_f64(),
             initial: accounts.initial_energy.to_f64(),
-            work: accounts.drive_work.to_f64(),
-            residual: kinetic + stored + projectile.to_f64()
+            work,
+            residual: kinetic + stored + dissipated + projectile.to_f64()
                 - accounts.initial_energy.to_f64()
-                - accounts.drive_work.to_f64(),
+                - work,
         };
         let entered = accounts.initial_momentum + accounts.drive_impulse + accounts.clamp_impulse;
         let momentum = Momentum {
@@ -244,8 +282,21 @@ impl<S: Number, const D: usize> FibreState<S, D> {
         1..self.elements()
     }
 
-    /// Σ of the law's energy per reference length, J.
-    fn stored_energy(&self, measure: Strain) -> S {
+    /// What the elements have stored and dissipated, J.
+    fn energies(&self, measure: Strain) -> PathEnergy<S> {
+        match (&self.constitution, measure) {
+            (None, _) => {
+                PathEnergy { stored: self.energy_stored_by_7(measure), dissipated: S::zero() }
+            }
+            (Some(constitution), Strain::Incremental) => constitution.path,
+            (Some(constitution), Strain::Engineering) => {
+                constitution.energies(&self.strain, &self.unstrained)
+            }
+        }
+    }
+
+    /// Σ of the energy of (7) per reference length, J.
+    fn energy_stored_by_7(&self, measure: Strain) -> S {
         let density = |e: S| match measure {
             Strain::Engineering => S::half() * e * e,
             Strain::Incremental => logarithmic_energy(e),

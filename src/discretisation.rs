@@ -15,7 +15,9 @@ pub struct Properties<S> {
     pub wave_speed: S,
     /// Δm = ρ × area × Δx, mass lumped at an inner node, kg.
     pub mass: S,
-    /// E × area, N.
+    /// Cross-section, m².
+    pub area: S,
+    /// E × area, N; E is the instantaneous modulus at rest.
     pub stiffness: S,
     /// A = Δt/Δm, s/kg.
     pub a: S,
@@ -56,6 +58,7 @@ impl<S: Number> Properties<S> {
             spacing,
             wave_speed: (modulus / density).sqrt(),
             mass: density * area * spacing,
+            area,
             stiffness: modulus * area,
             a: S::zero(),
         }
@@ -134,7 +137,7 @@ mod tests {
 
     #[test]
     fn the_nearest_node_is_the_lower_of_two_equals() {
-        let fibre = Properties::<f64>::of(0.5, 4, 1206.7, 1e-6, &Material::Linear { modulus: 1e9 });
+        let fibre = Properties::<f64>::of(0.5, 4, 1206.7, 1e-6, &Material::linear(1e9));
         assert_eq!(fibre.spacing, 0.125);
         assert_eq!(fibre.nearest_node(0.1875), 1); // midway between nodes 1 and 2
         assert_eq!(fibre.nearest_node(0.1876), 2);

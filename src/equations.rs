@@ -150,6 +150,9 @@ pub fn equation(number: u8) -> Option<&'static Equation> {
     EQUATIONS.get(usize::from(number).checked_sub(1)?)
 }
 
+/// (7) of a fibre with another law than the page's; σ is the law's.
+pub const TENSION_BY_LAW: Line = line("T", "{area} * {stress}");
+
 macro_rules! symbols {
     ($($name:literal $unit:literal $meaning:literal;)*) => {
         /// Every symbol that traces use.
@@ -176,6 +179,7 @@ symbols! {
     "along" "m/s" "velocity change by (2), along the primary fibre";
     "alpha" "1" "Courant number";
     "alpha_s" "1" "slide factor";
+    "area" "m²" "cross-section of the fibre";
     "c" "m/s" "speed of a small longitudinal wave";
     "cos" "1" "cos θ of the primary fibre at the crossover";
     "cos_phi1_x" "1" "direction cosine of the primary fibre at the crossover";
@@ -198,6 +202,7 @@ symbols! {
     "m_over_dt" "kg/s" "Δm/Δt";
     "m_p" "kg" "mass of the projectile";
     "mass" "kg" "the mass that the fibres slow down";
+    "memory" "" "what the element remembers for its law after the step: energies in J/m³, stresses in Pa, a strain";
     "normal_x" "1" "x-part of the normal to the primary fibre";
     "pull" "N" "first tension against the projectile's travel";
     "residual" "N" "left side less right side";
@@ -206,6 +211,7 @@ symbols! {
     "sin" "1" "sin θ of the primary fibre at the crossover";
     "strain" "1" "strain of the element now";
     "strain_before" "1" "strain of the element one step ago";
+    "stress" "Pa" "nominal stress by the law of the fibre";
     "t" "s" "time since impact";
     "taken_back" "m/s" "what (2) gave the node that belongs to the secondary's share";
     "theta" "rad" "angle of the primary fibre to the x-axis at the crossover";

@@ -4,14 +4,15 @@
 //! Read it in this order:
 //!
 //! 1. [`paper`]: the twenty numbered equations as the methods of one trait, as printed;
-//!    [`equations`] is their register, [`number`] what they are written over.
+//!    [`equations`] is their register, [`number`] what they are written over: `f64`, `f32`, or 32
+//!    digits ([`double_double`]).
 //! 2. [`errata`]: the ledger of what cannot stand as printed; [`corrected`] the edition without it.
 //! 3. [`march`]: one time step in the paper's order, on the [`state`] that a [`scene`] starts with
 //!    ([`discretisation`]).
 //! 4. [`mod@trace`]: the same march with every evaluation reported; [`trace_file`] writes them down.
 //! 5. [`balance`]: energy and momentum; [`outcome`] and [`result`]: how a run ends and what it gives.
 //! 6. [`exact`]: closed forms, which share nothing with the above.
-//! 7. [`material`]: constitutive laws beyond (7), which the march does not use yet.
+//! 7. [`material`]: constitutive laws beyond (7); [`constitution`]: a fibre that has one.
 //!
 //! ```
 //! let text = include_str!("../verification/scenes/single-400.json");
@@ -26,8 +27,10 @@
 //! ```
 
 pub mod balance;
+pub mod constitution;
 pub mod corrected;
 pub mod discretisation;
+pub mod double_double;
 pub mod equations;
 pub mod errata;
 pub mod exact;
@@ -43,6 +46,7 @@ pub mod result;
 pub mod scene;
 pub mod scene_check;
 pub mod scene_file;
+mod scene_material;
 mod scene_misfit;
 pub mod state;
 pub mod trace;

@@ -4,9 +4,12 @@
 
 use std::ops::Range;
 
+use crate::constitution::{Block, Breach, Constitution};
 use crate::number::{Number, Vector};
 use crate::outcome::{End, Outcome};
-use crate::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush, magnitude};
+use crate::paper::{
+    Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush, StressByLaw, magnitude,
+};
 use crate::place::{Fibre, Place};
 use crate::state::{Crossover, FibreState, State};
 
@@ -86,13 +89,62 @@ struct Along<S> {
     time_step: S,
 }
 
-/// What the equations of an element read: `position` and `velocity` of one node more than there are
-/// elements.
+/// What the equations of a block of elements read of their two ends and of themselves.
 struct Elements<'f, S: Number, const D: usize> {
-    position: &'f [Vector<S, D>],
-    velocity: &'f [Vector<S, D>],
+    x_here: &'f [Vector<S, D>],
+    x_ahead: &'f [Vector<S, D>],
+    v_here: &'f [Vector<S, D>],
+    v_ahead: &'f [Vector<S, D>],
     unstrained: &'f [S],
-    stiffness: S,
+    /// Index of the first.
+    first: usize,
+    time_step: S,
+}
+
+impl<'f, S: Number, const D: usize> Elements<'f, S, D> {
+    /// The elements of a range, whose nodes have their new velocities and their old positions.
+    #[inline(always)]
+    fn of(
+        position: &'f [Vector<S, D>],
+        velocity: &'f [Vector<S, D>],
+        unstrained: &'f [S],
+        range: Range<usize>,
+        time_step: S,
+    ) -> Self {
+        let count = range.len();
+        let ahead = range.start + 1..;
+        Self {
+            first: range.start,
+            x_here: &position[range.clone()],
+            x_ahead: &position[ahead.clone()][..count],
+            v_here: &velocity[range.clone()],
+            v_ahead: &velocity[ahead][..count],
+            unstrained: &unstrained[range],
+            time_step,
+        }
+    }
+
+    /// (5) and (6).
+    #[inline(always)]
+    fn lengths(&self, paper: &impl Paper<S>, i: usize) -> Lengths<S> {
+        let Self { x_here, x_ahead, v_here, v_ahead, unstrained, time_step, .. } = self;
+        Lengths {
+            previous: if paper.uses_previous_length() {
+                paper.eqn_5_previous_length(x_ahead[i], x_here[i])
+            } else {
+                S::zero()
+            },
+            now: paper.eqn_6_length(x_ahead[i], v_ahead[i], x_here[i], v_here[i], *time_step),
+            unstrained: unstrained[i],
+        }
+    }
+
+    /// From one end to the other, now.
+    #[inline(always)]
+    fn element(&self, i: usize) -> Vector<S, D> {
+        let dt = self.time_step;
+        (self.x_ahead[i] + self.v_ahead[i] * dt) - (self.x_here[i] + self.v_here[i] * dt)
+    }
 }
 
 impl<S: Number> Along<S> {
@@ -128,20 +180,19 @@ impl<S: Number> Along<S> {
                 &fibre.pull[start..],
             );
             adjust(fibre, nodes);
-            let elements = Elements {
-                position: &fibre.position[start..=end],
-                velocity: &fibre.velocity[start..=end],
-                unstrained: &fibre.unstrained[start..end],
-                stiffness: fibre.properties.stiffness,
+            let elements =
+                Elements::of(&fibre.position, &fibre.velocity, &fibre.unstrained, start..end, dt);
+            let (strain, tension) = (&mut fibre.strain[start..end], &mut fibre.tension[start..end]);
+            let pull = &mut fibre.pull[start..end];
+            let finite = match &mut fibre.constitution {
+                None => {
+                    let stiffness = fibre.properties.stiffness;
+                    self.elements(paper, elements, stiffness, strain, tension, pull)
+                }
+                Some(constitution) => {
+                    self.elements_by_law(paper, elements, constitution, strain, tension, pull)?
+                }
             };
-            let finite = self.elements(
-                paper,
-                start,
-                elements,
-                &mut fibre.strain[start..end],
-                &mut fibre.tension[start..end],
-                &mut fibre.pull[start..end],
-            );
             if !finite {
                 return Err(self.diverged(fibre, start..end));
             }
@@ -176,47 +227,87 @@ impl<S: Number> Along<S> {
         }
     }
 
-    /// (5), (6), (4) and (7) for a block of elements, from the one with index `first`, whose nodes
-    /// have their new velocities and their old positions. Whether all of it is finite.
+    /// (5), (6), (4) and (7) for a block of elements. Whether all of it is finite.
     ///
     /// What it writes comes as three slices of their own, so that the compiler knows them apart.
     #[inline(always)]
     fn elements<const D: usize>(
         &self,
         paper: &impl Paper<S>,
-        first: usize,
         elements: Elements<'_, S, D>,
+        stiffness: S,
         strain: &mut [S],
         tension: &mut [S],
         pull: &mut [Vector<S, D>],
     ) -> bool {
         let count = strain.len();
-        let dt = self.time_step;
-        let (x_here, x_ahead) = (&elements.position[..count], &elements.position[1..][..count]);
-        let (v_here, v_ahead) = (&elements.velocity[..count], &elements.velocity[1..][..count]);
-        let unstrained = &elements.unstrained[..count];
         let (tension, pull) = (&mut tension[..count], &mut pull[..count]);
         let mut finite = true;
         for i in 0..count {
-            paper.at(self.place(first + i));
-            let length = Lengths {
-                previous: if paper.uses_previous_length() {
-                    paper.eqn_5_previous_length(x_ahead[i], x_here[i])
-                } else {
-                    S::zero()
-                },
-                now: paper.eqn_6_length(x_ahead[i], v_ahead[i], x_here[i], v_here[i], dt),
-                unstrained: unstrained[i],
-            };
+            paper.at(self.place(elements.first + i));
+            let length = elements.lengths(paper, i);
             strain[i] = paper.eqn_4_strain(strain[i], length);
-            tension[i] = paper.eqn_7_tension(elements.stiffness, strain[i]);
+            tension[i] = paper.eqn_7_tension(stiffness, strain[i]);
             // "The tension T_i has the same direction as the element itself."
-            let element = (x_ahead[i] + v_ahead[i] * dt) - (x_here[i] + v_here[i] * dt);
             let pull_per_length = tension[i] / length.now;
-            pull[i] = element * pull_per_length;
+            pull[i] = elements.element(i) * pull_per_length;
             finite &= pull_per_length.is_finite();
         }
         finite
+    }
+
+    /// The same with another law in the place of (7): the strains of the block, its stresses in one
+    /// call of the law, its tensions.
+    #[inline(always)]
+    fn elements_by_law<const D: usize>(
+        &self,
+        paper: &impl Paper<S>,
+        elements: Elements<'_, S, D>,
+        by: &mut Constitution<S>,
+        strain: &mut [S],
+        tension: &mut [S],
+        pull: &mut [Vector<S, D>],
+    ) -> Result<bool, Outcome> {
+        by.block.fit(strain.len());
+        for (i, strain) in strain.iter_mut().enumerate() {
+            paper.at(self.place(elements.first + i));
+            let length = elements.lengths(paper, i);
+            by.block.length[i] = length.now;
+            by.block.previous_length[i] = length.previous;
+            by.block.strain_before[i] = *strain;
+            *strain = paper.eqn_4_strain(*strain, length);
+        }
+        let along_path = paper.uses_previous_length();
+        if along_path {
+            by.stresses_along_path(elements.first, strain, tension);
+        } else {
+            by.stresses(elements.first, strain);
+        }
+        let mut whole = strain.len();
+        for (i, &strain) in strain.iter().enumerate() {
+            let stress = StressByLaw {
+                stress: by.block.stress[i],
+                strain_before: by.block.strain_before[i],
+                strain,
+                memory: by.memory_of(elements.first + i),
+            };
+            tension[i] = paper.eqn_7_tension_by_law(by.area, stress);
+            let pull_per_length = tension[i] / by.block.length[i];
+            pull[i] = elements.element(i) * pull_per_length;
+            // A law whose stress is bounded makes a finite tension of an infinite strain.
+            if !(pull_per_length.is_finite() && strain.is_finite()) {
+                whole = whole.min(i);
+            }
+        }
+        // (4) adds ΔL/L^{t−1}, the engineering strain ΔL/L⁰.
+        let per_stretch = |block: &Block<S>, i: usize| {
+            if along_path { elements.unstrained[i] / block.previous_length[i] } else { S::one() }
+        };
+        match by.breach(elements.first, strain, per_stretch) {
+            // The first element that fails is named, as it is in blocks of one.
+            Some((i, breach)) if i < whole => Err(breach.at(self.place(elements.first + i))),
+            _ => Ok(whole == strain.len()),
+        }
     }
 
     fn place(&self, index: usize) -> Place {
@@ -243,6 +334,17 @@ impl<S: Number> Along<S> {
             return Outcome::Diverged { place: self.place(index), equation };
         }
         unreachable!("an element of the block was found not to be finite")
+    }
+}
+
+impl Breach {
+    fn at(self, place: Place) -> Outcome {
+        match self {
+            Self::Courant(courant) => {
+                Outcome::CourantExceeded { place, courant, would_serve: None }
+            }
+            Self::NoWaves(strain) => Outcome::NoWaves { place, strain },
+        }
     }
 }
 

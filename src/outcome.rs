@@ -29,13 +29,34 @@ pub enum Outcome {
         /// Which end.
         end: End,
     },
+    /// A law's wave speed has outgrown the time step.
+    CourantExceeded {
+        /// The element where it was first seen.
+        #[serde(flatten)]
+        place: Place,
+        /// Its local Courant number, above 1; artificial viscosity counts.
+        courant: f64,
+        /// The Courant number of a scene, otherwise the same, that has been run to its end; none
+        /// where none was found.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        would_serve: Option<f64>,
+    },
+    /// A law has softened so much that its modulus is negative: there are no waves, and the problem
+    /// has no solution to converge to.
+    NoWaves {
+        /// The element where it was first seen.
+        #[serde(flatten)]
+        place: Place,
+        /// Its strain.
+        strain: f64,
+    },
     /// Every number is finite, but the energy balance is broken ([`crate::result::MOST_IMBALANCE`]):
     /// the equations were used where they do not hold, or an instability has run away.
     EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
-        /// Residual of the balance over the energy put in, without its sign; none where the sum is
-        /// not finite.
+        /// Residual of the balance over the energy put in, or of that of the fibres over what they
+        /// were given, whichever is greater, without its sign; none where a sum is not finite.
         #[serde(skip_serializing_if = "Option::is_none")]
         residual: Option<f64>,
     },
@@ -53,6 +74,16 @@ pub enum End {
 }
 
 impl Outcome {
+    /// The step that the run ended in the middle of, if it did.
+    pub(crate) fn broken_step(&self) -> Option<u64> {
+        match self {
+            Self::Diverged { place, .. }
+            | Self::CourantExceeded { place, .. }
+            | Self::NoWaves { place, .. } => Some(place.step),
+            Self::Completed | Self::CrossoverLeft { .. } | Self::EnergyUnbalanced { .. } => None,
+        }
+    }
+
     /// The run came to its planned end.
     pub fn is_completed(&self) -> bool {
         *self == Self::Completed
@@ -80,6 +111,22 @@ impl fmt::Display for Outcome {
                     Fibre::Primary.name()
                 )
             }
+            Self::CourantExceeded { place, courant, would_serve } => {
+                let Place { step, fibre, index } = place;
+                write!(
+                    f,
+                    "Courant limit exceeded: the wave speed outgrew the time step at step {step}, \
+                     {} element {index}, where the Courant number is {courant:.4}",
+                    fibre.name()
+                )?;
+                would_serve.map_or(Ok(()), |served| write!(f, "; {served:.3} would have served"))
+            }
+            Self::NoWaves { place: Place { step, fibre, index }, strain } => write!(
+                f,
+                "no waves: at step {step}, {} element {index}, strain {strain:.4}, the law has \
+                 softened to a negative modulus",
+                fibre.name()
+            ),
             Self::EnergyUnbalanced { step, residual: Some(residual) } => write!(
                 f,
                 "energy unbalanced: at step {step} the balance is off by {} times the energy put in",

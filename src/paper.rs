@@ -35,6 +35,19 @@ pub struct Lengths<S> {
     pub unstrained: S,
 }
 
+/// What a law other than (7) makes of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StressByLaw<'a, S> {
+    /// σ, Pa.
+    pub stress: S,
+    /// `ε_i^{t−1}`.
+    pub strain_before: S,
+    /// `ε_i^t`.
+    pub strain: S,
+    /// What the element remembers for its law after the step.
+    pub memory: &'a [S],
+}
+
 /// A direction in the x-y plane by its cosine and sine.
 ///
 /// `θ` enters (9), (10), (12) and (13) only through these two.
@@ -202,6 +215,15 @@ pub trait Paper<S: Number> {
     #[inline(always)]
     fn eqn_7_tension(&self, stiffness: S, strain: S) -> S {
         stiffness * strain
+    }
+
+    /// **(7)** with another law than the page's in the place of `E ε`: `T_i^t = area × σ_i^t`
+    ///
+    /// "Other constitutive models could also be used without difficulty": σ is what
+    /// [`crate::material`] makes of the strain.
+    #[inline(always)]
+    fn eqn_7_tension_by_law(&self, area: S, by: StressByLaw<'_, S>) -> S {
+        area * by.stress
     }
 
     // ---------------------------------------------------------------- projectile

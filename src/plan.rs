@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::discretisation::{Discretisation, Properties};
 use crate::place::Fibre;
-use crate::scene::{Scene, Strain};
+use crate::scene::{Material, Scene, Strain};
 use crate::state::FibreState;
 
 /// The format that this version writes.
@@ -57,6 +57,10 @@ pub struct FibrePlan {
     pub wave_speed: f64,
     /// α by (20).
     pub courant: f64,
+    /// The greatest α that is stable with the fibre at rest: 1, or less with artificial viscosity.
+    pub greatest_courant: f64,
+    /// Name of the law.
+    pub law: &'static str,
     /// Δm, kg.
     pub node_mass: f64,
     /// Components of a vector.
@@ -80,8 +84,12 @@ impl Plan {
     pub fn of(scene: &Scene) -> Self {
         let mesh = Discretisation::<f64>::of(scene);
         let steps = mesh.steps(scene.duration);
-        let fibre = |fibre, dimensions, of: &Properties<f64>| FibrePlan {
+        let fibre = |fibre, dimensions, of: &Properties<f64>, material: &Material| FibrePlan {
             fibre,
+            law: material.law.name(),
+            greatest_courant: material
+                .artificial_viscosity
+                .map_or(1.0, |viscosity| viscosity.greatest_courant_at_rest()),
             elements: of.elements,
             spacing: of.spacing,
             wave_speed: of.wave_speed,
@@ -89,13 +97,13 @@ impl Plan {
             node_mass: of.mass,
             dimensions,
         };
-        let mut fibres = vec![fibre(Fibre::Primary, 2, &mesh.primary)];
+        let mut fibres = vec![fibre(Fibre::Primary, 2, &mesh.primary, &scene.primary.material)];
         let mut element_steps = flagged_element_steps(steps, mesh.primary.elements, 0);
-        let mut memory = mesh.primary.elements as f64 * FibreState::<f64, 2>::BYTES_PER_ELEMENT;
-        if let Some(crossing) = &mesh.secondary {
-            fibres.push(fibre(Fibre::Secondary, 3, &crossing.fibre));
+        let mut memory = memory_of::<2>(&mesh.primary, &scene.primary.material);
+        if let Some((crossing, secondary)) = mesh.secondary.as_ref().zip(scene.secondary.as_ref()) {
+            fibres.push(fibre(Fibre::Secondary, 3, &crossing.fibre, &secondary.material));
             element_steps += flagged_element_steps(steps, crossing.fibre.elements, crossing.node);
-            memory += crossing.fibre.elements as f64 * FibreState::<f64, 3>::BYTES_PER_ELEMENT;
+            memory += memory_of::<3>(&crossing.fibre, &secondary.material);
         }
         Self {
             format: FORMAT,
@@ -111,6 +119,13 @@ impl Plan {
             memory,
         }
     }
+}
+
+/// Memory of a fibre's state, bytes.
+fn memory_of<const D: usize>(fibre: &Properties<f64>, material: &Material) -> f64 {
+    let numbers = material.numbers_remembered();
+    let of_law = (numbers * size_of::<f64>()) as f64;
+    fibre.elements as f64 * (FibreState::<f64, D>::BYTES_PER_ELEMENT + of_law)
 }
 
 /// Σ over the steps of the elements visited when the front starts at element 0 after `quiet` steps
@@ -138,6 +153,7 @@ fn equations(scene: &Scene, crossover_node: Option<usize>) -> Vec<EquationPlan> 
         4 => Ok("every element, by L/L⁰ - 1 in its place"),
         5 if incremental => Ok("every element"),
         5 => Err("engineering strain does not look at the previous length"),
+        7 if scene.has_other_laws() => Ok("every element, σ by the law of its fibre"),
         6 | 7 => Ok("every element"),
         8 if scene.projectile.mass.is_some() => Ok("the projectile has a mass"),
         8 => Err("the projectile's velocity is constant"),

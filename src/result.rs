@@ -21,8 +21,8 @@ use crate::state::{FibreState, State, Wavefront, Work};
 /// The format that this version writes.
 pub const FORMAT: &str = "crossfibre-result/1";
 
-/// A run whose energy balance is off by more than this many times the energy put in has not
-/// completed.
+/// A run whose energy balance is off by more than this many times the energy put in, or the balance of
+/// its fibres by more than this many times what they were given, has not completed.
 ///
 /// Engineering strain is off by 4 % at most, on two elements; the printed crossover by 1.5 %; (4) by
 /// 8 % where its strain is wrong by 8 %, and from there on its instability takes over
@@ -156,8 +156,8 @@ pub fn run(scene: &Scene, watch: impl FnMut(&State<f64>)) -> RunResult {
 
 /// Runs a scene that has passed [`Scene::check`] by this marcher. `watch` sees every step.
 ///
-/// A run that diverges stops amid a step. Its result is that of the last whole step, the one before
-/// the step that the outcome names: all its numbers are finite.
+/// A run that diverges or breaks the bounds of the scheme stops amid a step. Its result is that of the
+/// last whole step, the one before the step that the outcome names: all its numbers are finite.
 pub fn run_with(
     marcher: &impl Marcher,
     scene: &Scene,
@@ -175,16 +175,52 @@ pub fn run_with(
             let mut state = State::at_impact(scene, Wavefront::Flagged);
             let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
             let outcome = marcher.march(paper, &mut state, steps, watch);
-            if let Outcome::Diverged { place, .. } = outcome {
+            if let Some(step) = outcome.broken_step() {
                 // Marching again costs time once; a copy of the state would cost it in every step.
                 state = State::at_impact(scene, Wavefront::Flagged);
-                let again = marcher.march(paper, &mut state, place.step - 1, |_| ());
+                let again = marcher.march(paper, &mut state, step - 1, |_| ());
                 debug_assert!(again.is_completed(), "{again}");
             }
+            let outcome = match outcome {
+                Outcome::CourantExceeded { place, courant, .. } => Outcome::CourantExceeded {
+                    place,
+                    courant,
+                    would_serve: serving_courant(marcher, paper, scene, courant),
+                },
+                other => other,
+            };
             RunResult::of(scene, &state, paper, outcome)
         }
     }
     with_paper(scene, Run { marcher, scene, watch })
+}
+
+/// How much smaller the next Courant number to be tried is.
+const SMALLER: f64 = 0.95;
+
+/// The least Courant number to be tried.
+const LEAST_COURANT: f64 = 0.01;
+
+/// A Courant number with which a scene whose wave speed outgrows the step runs to its end, tried from
+/// the one that would have served up to where it was outgrown.
+fn serving_courant<P: Paper<f64>>(
+    marcher: &impl Marcher,
+    paper: &P,
+    scene: &Scene,
+    exceeded: f64,
+) -> Option<f64> {
+    let mut trial = Scene { courant: scene.courant / exceeded, ..scene.clone() };
+    while trial.courant > LEAST_COURANT {
+        let mut state = State::at_impact(&trial, Wavefront::Flagged);
+        let steps = Discretisation::<f64>::of(&trial).steps(trial.duration);
+        let outcome = marcher.march(paper, &mut state, steps, |_| ());
+        match RunResult::of(&trial, &state, paper, outcome).outcome {
+            Outcome::Completed => return Some(trial.courant),
+            Outcome::CourantExceeded { .. } => trial.courant *= SMALLER,
+            _ => return None,
+        }
+    }
+    None
 }
 
 impl RunResult {
@@ -196,8 +232,10 @@ impl RunResult {
         outcome: Outcome,
     ) -> Self {
         let balance = Some(state.balance(paper, scene.strain)).filter(Balance::is_finite);
-        let residual =
-            balance.map(|b| b.energy.relative_residual().abs()).filter(|r| r.is_finite());
+        let residual = balance
+            .map(|b| [b.energy.relative_residual(), state.fibre_imbalance(&b.energy)])
+            .map(|[all, fibres]| all.abs().max(fibres.abs()))
+            .filter(|r| r.is_finite());
         let outcome = match outcome {
             Outcome::Completed if residual.is_none_or(|r| r > MOST_IMBALANCE) => {
                 Outcome::EnergyUnbalanced { step: state.step, residual }

@@ -10,6 +10,8 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::errata::{Corrections, Erratum};
+use crate::scene_material::present;
+pub use crate::scene_material::{Law, Material};
 
 /// The format that this version reads and writes.
 pub const FORMAT: &str = "crossfibre-scene/1";
@@ -43,6 +45,17 @@ pub struct Scene {
     #[serde(default = "all_corrections", with = "corrections")]
     #[cfg_attr(feature = "schema", schemars(with = "corrections::Text"))]
     pub corrections: Corrections,
+}
+
+impl Scene {
+    /// Whether a fibre has another law than eqn (7).
+    pub fn has_other_laws(&self) -> bool {
+        let secondary = self.secondary.as_ref().map(|secondary| &secondary.material);
+        [Some(&self.primary.material), secondary]
+            .into_iter()
+            .flatten()
+            .any(|material| !material.is_of_the_page())
+    }
 }
 
 /// The primary fibre.
@@ -83,27 +96,6 @@ pub struct Secondary {
     pub slide_factor: f64,
 }
 
-/// A law between strain and tension.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(tag = "law", rename_all = "lowercase", deny_unknown_fields)]
-pub enum Material {
-    /// Eqn (7): T = E ε.
-    Linear {
-        /// Young's modulus E, Pa.
-        modulus: f64,
-    },
-}
-
-impl Material {
-    /// The modulus felt by a sudden small strain, Pa: it sets the wave speed.
-    pub fn instantaneous_modulus(&self) -> f64 {
-        match *self {
-            Self::Linear { modulus } => modulus,
-        }
-    }
-}
-
 /// The projectile.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -131,11 +123,6 @@ pub enum Strain {
 
 fn all_corrections() -> Corrections {
     Corrections::ALL
-}
-
-/// A field that may be left out but not be `null`: a writer that knows no NaN writes one as `null`.
-fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Option<T>, D::Error> {
-    T::deserialize(from).map(Some)
 }
 
 /// `"all"`, `"none"` or a list of ids.

@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 
 use crate::discretisation::{Crossing, Discretisation, Properties};
 use crate::errata::Erratum;
-use crate::scene::{FORMAT, Material, Primary, Scene, Secondary};
+use crate::material::{Mesh, ParameterFault, of_scene};
+use crate::scene::{FORMAT, Law, Material, Primary, Scene, Secondary};
 
 /// Elements that a fibre may have. A run keeps about 150 bytes for each: 15 GB at this limit.
 pub const MAX_ELEMENTS: usize = 100_000_000;
@@ -195,9 +196,36 @@ fn check_fibre(
     }
     positive(&field("density"), density)?;
     positive(&field("area"), area)?;
-    match *material {
-        Material::Linear { modulus } => positive(&field("material.modulus"), modulus),
+    check_material(&field("material"), material, Mesh { density, spacing: length })
+}
+
+/// The march builds the same law, of which the mesh is no matter here.
+fn check_material(path: &str, material: &Material, mesh: Mesh) -> Result<(), Problem> {
+    if let Law::Linear { modulus } = material.law {
+        positive(&format!("{path}.modulus"), modulus)?;
     }
+    of_scene(material, mesh, 1.0).map(|_| ()).map_err(|error| {
+        let path = match error.parameter.as_str() {
+            "a*b" => format!("{path}.b"),
+            "linear" | "quadratic" => format!("{path}.artificial_viscosity.{}", error.parameter),
+            parameter => format!("{path}.{parameter}"),
+        };
+        match error.fault {
+            ParameterFault::NotFinite(x) => Problem::new(path, finite_wanted(x)),
+            ParameterFault::NotPositive(x) if error.parameter == "a*b" => {
+                Problem::new(path, format!("a times b must be greater than 0, is {x:?}"))
+                    .help("a and b are of one sign: both positive harden, both negative soften")
+            }
+            ParameterFault::NotPositive(x) => Problem::new(path, positive_wanted(x)),
+            ParameterFault::Negative(x) => {
+                Problem::new(path, format!("must not be negative, is {x:?}"))
+            }
+            ParameterFault::OutOfRange(x) => {
+                Problem::new(path, format!("{x:?} is outside the range of a double"))
+            }
+            ParameterFault::Empty => Problem::new(path, "must have at least one entry"),
+        }
+    })
 }
 
 fn check_slide_factor(slide_factor: f64) -> Result<(), Problem> {
@@ -233,7 +261,7 @@ fn finite(path: &str, value: f64) -> Result<(), Problem> {
     if value.is_finite() {
         return Ok(());
     }
-    Err(Problem::new(path, format!("must be a finite number, is {value:?}")))
+    Err(Problem::new(path, finite_wanted(value)))
 }
 
 fn positive(path: &str, value: f64) -> Result<(), Problem> {
@@ -245,7 +273,15 @@ fn positive(path: &str, value: f64) -> Result<(), Problem> {
     if value > 0.0 {
         return Ok(());
     }
-    Err(Problem::new(path, format!("must be greater than 0, is {value:?}")))
+    Err(Problem::new(path, positive_wanted(value)))
+}
+
+fn finite_wanted(value: f64) -> String {
+    format!("must be a finite number, is {value:?}")
+}
+
+fn positive_wanted(value: f64) -> String {
+    format!("must be greater than 0, is {value:?}")
 }
 
 const UNITS: &str = "the values are too large or too small; are they in SI units?";

@@ -81,7 +81,7 @@ pub fn read(text: &str) -> Result<Scene, Fault> {
     if let Some(format) = json.get("format").and_then(Value::as_str) {
         check_format(format).map_err(|problem| Fault::at_path(text, problem))?;
     }
-    refuse_unnamed_fields(text)?;
+    refuse_unnamed_fields(text, &json)?;
     let json = &mut serde_json::Deserializer::from_str(text);
     let scene: Scene = serde_path_to_error::deserialize(json)
         .map_err(|error| misfit(text, &path_of(&error), error.inner()))?;
@@ -152,13 +152,27 @@ fn word_at(text: &str, line: usize, column: usize) -> &str {
 }
 
 /// serde takes an array as the fields of a struct in order: a scene names its fields.
-fn refuse_unnamed_fields(text: &str) -> Result<(), Fault> {
-    let objects =
-        ["", "primary", "primary.material", "secondary", "secondary.material", "projectile"];
-    for path in objects {
-        if value(text, path).is_some_and(|piece| piece.starts_with('[')) {
-            let message = "invalid type: an array, expected an object".into();
-            return Err(Fault::at_path(text, Problem { path: path.into(), message, help: None }));
+fn refuse_unnamed_fields(text: &str, scene: &Value) -> Result<(), Fault> {
+    let refuse_array = |path: String, value: Option<&Value>| {
+        if value.is_none_or(|value| !value.is_array()) {
+            return Ok(());
+        }
+        let message = "invalid type: an array, expected an object".into();
+        Err(Fault::at_path(text, Problem { path, message, help: None }))
+    };
+    refuse_array(String::new(), Some(scene))?;
+    refuse_array("projectile".into(), scene.get("projectile"))?;
+    for fibre in ["primary", "secondary"] {
+        refuse_array(fibre.into(), scene.get(fibre))?;
+        let material = scene.get(fibre).and_then(|fibre| fibre.get("material"));
+        let path = format!("{fibre}.material");
+        refuse_array(path.clone(), material)?;
+        let inner = |name: &str| material.and_then(|material| material.get(name));
+        let viscosity = "artificial_viscosity";
+        refuse_array(format!("{path}.{viscosity}"), inner(viscosity))?;
+        let arms = inner("arms").and_then(Value::as_array);
+        for (i, arm) in arms.into_iter().flatten().enumerate() {
+            refuse_array(format!("{path}.arms[{i}]"), Some(arm))?;
         }
     }
     Ok(())

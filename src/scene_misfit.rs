@@ -1,9 +1,6 @@
 //! JSON, but not a scene: what serde found, at its place and in words for people.
 
-use serde_json::Value;
-
 use crate::json_locate::{members, value};
-use crate::scene::Material;
 use crate::scene_check::Problem;
 use crate::scene_file::{Fault, bare};
 
@@ -20,7 +17,7 @@ pub(crate) fn misfit(text: &str, path: &str, error: &serde_json::Error) -> Fault
             Fault::new(text, key(text, path, name, 1).unwrap_or(text), problem)
         }
         _ => {
-            let path = field_of_material(text, path, &message).unwrap_or_else(|| path.into());
+            let path = path.into();
             let help = message.contains("type: null").then(|| {
                 "leave out what is not given; some programs write a NaN as null".to_string()
             });
@@ -56,22 +53,6 @@ fn key<'a>(text: &'a str, path: &str, name: &str, nth: usize) -> Option<&'a str>
 
 fn join(path: &str, name: &str) -> String {
     if path.is_empty() { name.into() } else { format!("{path}.{name}") }
-}
-
-/// serde reads a material in one piece and names no field of it. A field of the wrong kind is the
-/// one whose removal turns the error into "missing field". (The law itself serde does name.)
-fn field_of_material(text: &str, path: &str, message: &str) -> Option<String> {
-    if !path.ends_with(".material") || !message.starts_with("invalid ") {
-        return None;
-    }
-    let all: serde_json::Map<String, Value> = serde_json::from_str(value(text, path)?).ok()?;
-    let field = all.keys().filter(|&name| name != "law").find(|&name| {
-        let mut others = all.clone();
-        others.remove(name);
-        serde_json::from_value::<Material>(Value::Object(others))
-            .is_err_and(|error| bare(&error) == format!("missing field `{name}`"))
-    })?;
-    Some(join(path, field))
 }
 
 fn in_plain_words(message: String) -> String {

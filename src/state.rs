@@ -1,9 +1,10 @@
 //! What the march carries from one step to the next, and how a scene starts.
 
+use crate::constitution::Constitution;
 use crate::discretisation::{Discretisation, Properties};
 use crate::number::{Number, Vector};
 use crate::paper::magnitude;
-use crate::scene::Scene;
+use crate::scene::{Material, Scene};
 
 /// One fibre: nodes `0..=n` from the impact point (the crossover) to the clamp, elements `0..n`.
 #[derive(Clone, Debug)]
@@ -26,6 +27,8 @@ pub struct FibreState<S: Number, const D: usize> {
     pub visited: usize,
     /// Constants.
     pub properties: Properties<S>,
+    /// The law, where it is another than (7).
+    pub constitution: Option<Constitution<S>>,
 }
 
 /// The crossing fibre and where it crosses.
@@ -70,8 +73,10 @@ pub struct Accounts<S> {
     pub drive_impulse: S,
     /// Impulse of the clamps, N s.
     pub clamp_impulse: S,
-    /// Work of the drive, J.
+    /// Work of the first node on the rest of the fibres, J.
     pub drive_work: S,
+    /// The most that it has been.
+    pub most_work: S,
 }
 
 /// Everything that one time step changes.
@@ -138,8 +143,20 @@ impl<S: Number, const D: usize> FibreState<S, D> {
             clamp_velocity: Vector::zeros(),
             visited,
             properties: *fibre,
+            constitution: None,
             position,
         }
+    }
+
+    /// The fibre with its law.
+    ///
+    /// # Panics
+    /// If the number type cannot hold a parameter of the law; a double can hold all of a scene that
+    /// has been checked.
+    fn made_of(self, material: &Material, density: f64, time_step: S) -> Self {
+        let constitution = Constitution::of(material, density, &self.properties, time_step)
+            .unwrap_or_else(|fault| panic!("{fault}"));
+        Self { constitution, ..self }
     }
 
     /// Memory of the vectors above, bytes an element: position, velocity and pull; strain, tension
@@ -173,17 +190,26 @@ impl<S: Number> State<S> {
             Wavefront::Ignored => fibre.elements,
         };
         let primary =
-            FibreState::at_rest(Vector::zeros(), 0, &mesh.primary, visited(&mesh.primary));
-        let crossover = mesh.secondary.map(|crossing| {
-            let start = Vector::<S, 3>::new(crossing.at, S::zero(), S::zero());
-            let fibre = &crossing.fibre;
-            Crossover {
-                fibre: FibreState::at_rest(start, 2, fibre, visited(fibre)),
-                node: crossing.node,
-                slide_factor: crossing.slide_factor,
-                moves: 0,
-            }
-        });
+            FibreState::at_rest(Vector::zeros(), 0, &mesh.primary, visited(&mesh.primary)).made_of(
+                &scene.primary.material,
+                scene.primary.density,
+                mesh.time_step,
+            );
+        let crossover =
+            mesh.secondary.zip(scene.secondary.as_ref()).map(|(crossing, secondary)| {
+                let start = Vector::<S, 3>::new(crossing.at, S::zero(), S::zero());
+                let fibre = &crossing.fibre;
+                Crossover {
+                    fibre: FibreState::at_rest(start, 2, fibre, visited(fibre)).made_of(
+                        &secondary.material,
+                        secondary.density,
+                        mesh.time_step,
+                    ),
+                    node: crossing.node,
+                    slide_factor: crossing.slide_factor,
+                    moves: 0,
+                }
+            });
         let projectile = Projectile {
             axis: Vector::<S, 2>::new(S::zero(), S::one()),
             velocity: S::from_f64(scene.projectile.velocity),
@@ -202,6 +228,7 @@ impl<S: Number> State<S> {
                 drive_impulse: nothing,
                 clamp_impulse: nothing,
                 drive_work: nothing,
+                most_work: nothing,
             },
             work: Work::default(),
         };

@@ -6,7 +6,9 @@ use std::cell::{Cell, RefCell};
 
 use crate::equations::{Equation, Line};
 use crate::number::{Number, Vector};
-use crate::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush};
+use crate::paper::{
+    Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush, StressByLaw,
+};
 use crate::place::{Fibre, Place};
 
 /// A number or a vector of an equation.
@@ -202,6 +204,19 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
     fn eqn_7_tension(&self, stiffness: S, strain: S) -> S {
         let out = self.paper.eqn_7_tension(stiffness, strain);
         self.report(7, &[("E", scalar(stiffness)), ("strain", scalar(strain))], scalar(out));
+        out
+    }
+
+    fn eqn_7_tension_by_law(&self, area: S, by: StressByLaw<'_, S>) -> S {
+        let out = self.paper.eqn_7_tension_by_law(area, by);
+        let inputs = [
+            ("area", scalar(area)),
+            ("stress", scalar(by.stress)),
+            ("strain_before", scalar(by.strain_before)),
+            ("strain", scalar(by.strain)),
+            ("memory", Value::Vector(by.memory)),
+        ];
+        self.report(7, &inputs, scalar(out));
         out
     }
 

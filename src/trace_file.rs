@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 
-use crate::equations::{EQUATIONS, Line, SYMBOLS, Symbol};
+use crate::equations::{EQUATIONS, Line, SYMBOLS, Symbol, TENSION_BY_LAW};
 use crate::number::Number;
 use crate::paper::Paper;
 use crate::place::{Fibre, Place};
@@ -60,6 +60,9 @@ struct Registered {
     name: &'static str,
     printed: &'static str,
     lines: Vec<Line>,
+    /// The lines of a fibre with another law than (7), where the scene has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lines_by_law: Option<[Line; 1]>,
 }
 
 /// Writes the kept events as JSON lines and counts them.
@@ -85,6 +88,7 @@ impl<W: Write> JsonLines<W> {
                 name: e.name,
                 printed: e.printed,
                 lines: paper.lines(e),
+                lines_by_law: (e.number == 7 && scene.has_other_laws()).then_some([TENSION_BY_LAW]),
             })
             .collect();
         let header = Header { format: FORMAT, scene, equations, symbols: SYMBOLS };

@@ -2,7 +2,8 @@
 //! text whatever makes the reader panic.
 
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::scene::{FORMAT, Material, Primary, Projectile, Scene, Secondary, Strain};
+use crossfibre::material::{Arm, Coefficients, Update};
+use crossfibre::scene::{FORMAT, Law, Material, Primary, Projectile, Scene, Secondary, Strain};
 use crossfibre::scene_file::{read, read_bytes};
 use proptest::prelude::*;
 
@@ -46,6 +47,26 @@ const NOT_JSON: &[Case] = &[
     ("0.937", "nan", "courant", (15, 14), "nan is not a number"),
 ];
 
+const LINEAR: &str = "{ \"law\": \"linear\", \"modulus\": 71.3e9 }";
+const POLYNOMIAL_NULL: &str = r#"{ "law": "polynomial", "coefficients": [71, null] }"#;
+const FALLING: &str = r#"{ "law": "polynomial", "coefficients": [-71] }"#;
+const NO_COEFFICIENTS: &str = r#"{ "law": "polynomial", "coefficients": [] }"#;
+const TWO_SIGNS: &str = r#"{ "law": "exponential", "a": 7e9, "b": -3.1 }"#;
+const ARM_WITHOUT_TIME: &str = r#"{ "law": "viscoelastic", "equilibrium_modulus": 0, "arms":
+    [{ "modulus": 3, "relaxation_time": 2e-6 }, { "modulus": 3 }] }"#;
+const ARM_IN_ORDER: &str =
+    r#"{ "law": "viscoelastic", "equilibrium_modulus": 0, "arms": [[3, 2e-6]] }"#;
+const TIMELESS: &str = r#"{ "law": "viscoelastic", "equilibrium_modulus": 0, "arms":
+    [{ "modulus": 3, "relaxation_time": 0 }] }"#;
+const EYRING_HURRIED: &str = r#"{ "law": "eyring", "equilibrium_modulus": 0, "modulus": 3,
+    "rate": 2e3, "stress": 1e7, "update": "fast" }"#;
+const NO_RATE: &str =
+    r#"{ "law": "eyring", "equilibrium_modulus": 0, "modulus": 3, "stress": 1e7 }"#;
+const VISCOUS: &str =
+    r#"{ "law": "linear", "modulus": 7e9, "artificial_viscosity": { "cubic": 0.1 } }"#;
+const RUNNY: &str =
+    r#"{ "law": "linear", "modulus": 7e9, "artificial_viscosity": { "linear": -0.1 } }"#;
+
 #[rustfmt::skip] // a case a line
 const NOT_A_SCENE: &[Case] = &[
     (GOOD, "17", "", (1, 1), "expected an object"),
@@ -64,7 +85,16 @@ const NOT_A_SCENE: &[Case] = &[
     ("\"law\": \"linear\",\n", "\n", "secondary.material", (9, 17), "missing field `law`"),
     ("\"mass\"", "\"velocity\"", "projectile.velocity", (14, 38), "duplicate field `velocity`"),
     ("\"courant\"", "\"title\"", "title", (15, 3), "duplicate field `title`"),
-    ("\"law\": \"linear\", ", "\"modulus\": 1, ", "primary.material", (6, 17), "field `law`"),
+    ("\"law\": \"linear\", ", "\"tension_only\": true, ", "primary.material", (6, 17), "field `law`"),
+    ("43.1e9", "2, \"rate\": 3", "secondary.material.rate", (11, 21), "unknown field `rate`"),
+    ("43.1e9", "2, \"modlus\": 3", "secondary.material.modlus", (11, 21), "mean `modulus`?"),
+    ("43.1e9", "2, \"tension_only\": 1", "secondary.material.tension_only", (11, 37), "boolean"),
+    (LINEAR, POLYNOMIAL_NULL, "primary.material.coefficients[1]", (6, 61), "null, expected a num"),
+    (LINEAR, ARM_WITHOUT_TIME, "primary.material.arms[1]", (7, 49), "missing field `relaxation_ti"),
+    (LINEAR, ARM_IN_ORDER, "primary.material.arms[0]", (6, 77), "an array, expected an object"),
+    (LINEAR, EYRING_HURRIED, "primary.material.update", (7, 43), "unknown variant `fast`"),
+    (LINEAR, NO_RATE, "primary.material", (6, 17), "missing field `rate`"),
+    (LINEAR, VISCOUS, "primary.material.artificial_viscosity.cubic", (6, 78), "field `cubic`"),
     ("43.1e9", "2, \"modulus\": 3", "secondary.material.modulus", (11, 21), "duplicate field"),
     ("\"linear\",\n", "\"liner\",\n", "secondary.material.law", (10, 14), "mean `linear`?"),
     ("0.287", "\"0.287\"", "primary.length", (4, 26), "string \"0.287\", expected a"),
@@ -90,6 +120,11 @@ const NOT_TO_BE_RUN: &[Case] = &[
     ("973.0", "-973.0", "secondary.density", (8, 16), "greater than 0, is -973.0"),
     ("0.87e-6", "-0.0", "primary.area", (5, 32), "greater than 0, is -0.0"),
     ("43.1e9", "-43.1e9", "secondary.material.modulus", (11, 18), "is -43100000000.0"),
+    (LINEAR, FALLING, "primary.material.coefficients[0]", (6, 57), "greater than 0, is -71.0"),
+    (LINEAR, NO_COEFFICIENTS, "primary.material.coefficients", (6, 56), "at least one entry"),
+    (LINEAR, TWO_SIGNS, "primary.material.b", (6, 56), "a times b must be greater than 0"),
+    (LINEAR, TIMELESS, "primary.material.arms[0].relaxation_time", (7, 41), "greater than 0, is 0"),
+    (LINEAR, RUNNY, "primary.material.artificial_viscosity.linear", (6, 88), "negative, is -0.1"),
     ("0.73", "1.3", "secondary.slide_factor", (13, 21), "must lie in 0..1, is 1.3"),
     ("0.73", "-0.1", "secondary.slide_factor", (13, 21), "must lie in 0..1, is -0.1"),
     ("0.0773", "-0.0773", "secondary.at", (7, 24), "must not be negative"),
@@ -205,7 +240,7 @@ fn numbers_that_no_text_can_hold_are_refused_all_the_same() {
     refused_at("primary.density", |s, x| s.primary.density = x);
     refused_at("primary.area", |s, x| s.primary.area = x);
     refused_at("primary.material.modulus", |s, x| {
-        s.primary.material = Material::Linear { modulus: x };
+        s.primary.material = Material::linear(x);
     });
     refused_at("secondary.at", |s, x| s.secondary.as_mut().unwrap().at = x);
     refused_at("secondary.slide_factor", |s, x| s.secondary.as_mut().unwrap().slide_factor = x);
@@ -220,8 +255,44 @@ fn size() -> impl Strategy<Value = f64> {
     (1.0..10.0_f64, -9_i32..9).prop_map(|(mantissa, exponent)| mantissa * 10.0_f64.powi(exponent))
 }
 
+fn law() -> impl Strategy<Value = Law> {
+    let update = || prop_oneof![Just(Update::Exact), Just(Update::Literal)];
+    let arm =
+        (size(), size()).prop_map(|(modulus, relaxation_time)| Arm { modulus, relaxation_time });
+    let arms = proptest::collection::vec(arm, 1..4);
+    prop_oneof![
+        size().prop_map(|modulus| Law::Linear { modulus }),
+        proptest::collection::vec(size(), 1..5)
+            .prop_map(|coefficients| Law::Polynomial { coefficients }),
+        (size(), size(), any::<bool>()).prop_map(|(a, b, hardens)| {
+            let sign = if hardens { 1.0 } else { -1.0 };
+            Law::Exponential { a: sign * a, b: sign * b }
+        }),
+        (size(), arms, update()).prop_map(|(equilibrium_modulus, arms, update)| {
+            Law::Viscoelastic { equilibrium_modulus, arms, update }
+        }),
+        (size(), size(), size(), size(), update()).prop_map(
+            |(equilibrium_modulus, modulus, rate, stress, update)| Law::Eyring {
+                equilibrium_modulus,
+                modulus,
+                rate,
+                stress,
+                update,
+            }
+        ),
+    ]
+}
+
 fn material() -> impl Strategy<Value = Material> {
-    size().prop_map(|modulus| Material::Linear { modulus })
+    let viscosity =
+        (size(), size()).prop_map(|(linear, quadratic)| Coefficients { linear, quadratic });
+    (law(), any::<bool>(), proptest::option::of(viscosity)).prop_map(
+        |(law, tension_only, artificial_viscosity)| Material {
+            law,
+            tension_only,
+            artificial_viscosity,
+        },
+    )
 }
 
 fn primary() -> impl Strategy<Value = Primary> {

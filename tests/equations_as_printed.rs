@@ -17,7 +17,7 @@ mod common;
 use common::{assert_ulps, exact, exact_vector};
 use crossfibre::number::{Number, Vector};
 use crossfibre::paper::{
-    Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush,
+    Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush, StressByLaw,
 };
 
 /// Makes a test in f64 and one in f32 of each function.
@@ -36,6 +36,7 @@ in_both_precisions! {
     eqn_5_is_the_distance_of_the_old_positions
     eqn_6_is_the_distance_of_the_new_positions
     eqn_7_multiplies
+    eqn_7_multiplies_by_the_area_where_the_law_is_another
     eqn_8_divides_by_the_time_since_impact_and_accelerates
     eqn_9_resolves_along_the_fibre
     eqn_10_resolves_across_the_fibre
@@ -165,6 +166,21 @@ fn eqn_7_multiplies<S: Number>() {
     // 57343.5 × 3/256 = 671.994140625, exact.
     let got = Printed.eqn_7_tension(exact::<S>(57_343.5), exact(0.01171875));
     assert_ulps(got, 671.994_140_625, 0.5);
+}
+
+fn eqn_7_multiplies_by_the_area_where_the_law_is_another<S: Number>() {
+    // 37/1024 × 57343.5 = 2071.98193359375, exact; strains and memory are only shown.
+    let by = StressByLaw {
+        stress: exact::<S>(57_343.5),
+        strain_before: exact(0.0234375),
+        strain: exact(0.01171875),
+        memory: &[exact(913.375)],
+    };
+    assert_ulps(
+        Printed.eqn_7_tension_by_law(exact(0.036_132_812_5), by),
+        2_071.981_933_593_75,
+        0.5,
+    );
 }
 
 fn eqn_8_divides_by_the_time_since_impact_and_accelerates<S: Number>() {

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use common::{Inputs, Recorder, Seen, cases, evaluate, short_scenes, trace, with_corrections};
 use crossfibre::corrected::{Corrected, Engineering, Incremental, StrainMeasure};
-use crossfibre::equations::{EQUATIONS, Line, SYMBOLS};
+use crossfibre::equations::{EQUATIONS, Line, SYMBOLS, TENSION_BY_LAW};
 use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::number::Number;
 use crossfibre::paper::{Paper, Printed};
@@ -150,7 +150,8 @@ impl Lines {
     fn work_out(&self, event: &Seen) -> Vec<f64> {
         let inputs = event.inputs.iter();
         let mut values: Values = inputs.map(|(name, v)| ((*name).into(), v.clone())).collect();
-        let lines = &self.0[&event.equation];
+        let by_law = event.inputs.iter().any(|(name, _)| *name == "stress");
+        let lines = if by_law { &vec![TENSION_BY_LAW] } else { &self.0[&event.equation] };
         for line in lines {
             values.insert(line.name.into(), evaluated(line.expression, &values));
         }

@@ -1,5 +1,7 @@
 //! Artificial viscosity, against the oscillations at a front.
 
+use serde::{Deserialize, Serialize};
+
 use super::Law;
 use super::parameter::{ParameterError, not_negative, positive};
 use crate::number::Number;
@@ -38,12 +40,29 @@ pub struct Mesh {
 }
 
 /// The coefficients of artificial viscosity, without unit; either may be zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Coefficients {
     /// Of the part that grows with the strain rate. Of order 0.1.
+    #[serde(default)]
     pub linear: f64,
     /// Of the part that grows with its square. Of order 1.
+    #[serde(default)]
     pub quadratic: f64,
+}
+
+impl Coefficients {
+    /// The greatest stable Courant number where the strain does not change yet, √(1 + ζ²) − ζ with
+    /// ζ = linear.
+    pub fn greatest_courant_at_rest(&self) -> f64 {
+        greatest_courant(self.linear)
+    }
+}
+
+/// √(1 + ζ²) − ζ, without its difference.
+fn greatest_courant<S: Number>(zeta: S) -> S {
+    S::one() / ((S::one() + zeta * zeta).sqrt() + zeta)
 }
 
 impl<S: Number, L: Law<S>> ArtificialViscosity<L, S> {
@@ -71,8 +90,13 @@ impl<S: Number, L: Law<S>> ArtificialViscosity<L, S> {
     /// would not.
     pub fn greatest_courant(&self, strain_rate: S) -> S {
         let slope = self.linear + S::two() * self.quadratic * strain_rate.abs();
-        let zeta = slope / self.impedance;
-        S::one() / ((S::one() + zeta * zeta).sqrt() + zeta)
+        greatest_courant(slope / self.impedance)
+    }
+
+    /// dq/d(`now`), Pa.
+    #[inline]
+    fn viscous_slope(&self, added: S) -> S {
+        self.per_step.0 + S::two() * self.per_step.1 * added.abs()
     }
 
     /// q, Pa, at a step's strain increment.
@@ -106,13 +130,25 @@ impl<S: Number, L: Law<S>> Law<S> for ArtificialViscosity<L, S> {
 
     /// Where a law that carries no compression cuts q, this is still the tangent with all of it.
     fn tangent_modulus(&self, before: S, now: S, memory: &[S]) -> S {
-        let slope = self.per_step.0 + S::two() * self.per_step.1 * (now - before).abs();
-        self.law.tangent_modulus(before, now, &memory[1..]) + slope
+        self.law.tangent_modulus(before, now, &memory[1..]) + self.viscous_slope(now - before)
     }
 
     /// That of the law within: the wave speed is the material's.
     fn instantaneous_modulus(&self, strain: S, memory: &[S]) -> S {
         self.law.instantaneous_modulus(strain, &memory[1..])
+    }
+
+    /// On α²(1 + 2ζ/α) ≤ 1, see [`Self::greatest_courant`]: ζα is the slope of q over ρΔx²/Δt².
+    fn step_modulus(&self, before: S, now: S, memory: &[S]) -> S {
+        let within = self.law.step_modulus(before, now, &memory[1..]);
+        if within == S::zero() && !self.law.bears_compression() {
+            return within; // slack: no viscous stress either
+        }
+        within + S::two() * self.viscous_slope(now - before)
+    }
+
+    fn can_outgrow_the_step(&self) -> bool {
+        self.quadratic != S::zero() || self.law.can_outgrow_the_step()
     }
 
     fn stored(&self, strain: S, memory: &[S]) -> S {

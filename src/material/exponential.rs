@@ -45,6 +45,10 @@ impl<S: Number> Law<S> for Exponential<S> {
         self.a * self.b * (self.b * strain).exp()
     }
 
+    fn can_outgrow_the_step(&self) -> bool {
+        true
+    }
+
     /// (a/b)(exp(y) − 1 − y) with y = bε.
     fn stored(&self, strain: S, _memory: &[S]) -> S {
         self.a / self.b * exp_m1_less_itself(self.b * strain)

@@ -65,6 +65,10 @@ impl<S: Number> Law<S> for Polynomial<S> {
         value(&self.slope, strain)
     }
 
+    fn can_outgrow_the_step(&self) -> bool {
+        self.coefficients[1..].iter().any(|&e| e != S::zero())
+    }
+
     /// ½E₁ε² + ⅓E₂ε³ + …
     fn stored(&self, strain: S, _memory: &[S]) -> S {
         value(&self.energy, strain) * strain * strain

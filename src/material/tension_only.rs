@@ -61,6 +61,10 @@ impl<S: Number, L: Law<S>> Law<S> for TensionOnly<L> {
         }
     }
 
+    fn can_outgrow_the_step(&self) -> bool {
+        self.law.can_outgrow_the_step()
+    }
+
     fn stored(&self, _strain: S, memory: &[S]) -> S {
         self.law.stored(memory[0], &memory[1..])
     }

@@ -1,12 +1,16 @@
 //! Linear viscoelasticity.
 
+use serde::{Deserialize, Serialize};
+
 use super::decay::decay;
 use super::parameter::{ParameterError, not_empty, not_negative, positive};
 use super::{Law, Update};
 use crate::number::Number;
 
 /// A spring and a dashpot in series (Maxwell): ds/dt = E dε/dt − s/τ.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Arm {
     /// E, Pa.
     pub modulus: f64,

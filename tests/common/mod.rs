@@ -227,7 +227,9 @@ pub type Inputs = [f64; 16];
 /// Evaluates all twenty equations of an edition, in both dimensions where they are vectors: their
 /// outputs in the order of the page, to the bit.
 pub fn evaluate(paper: &impl Paper<f64>, r: &Inputs) -> Vec<(u8, Vec<u64>)> {
-    use crossfibre::paper::{Cosines, CrossoverPush, Direction, Lengths, ProjectilePush};
+    use crossfibre::paper::{
+        Cosines, CrossoverPush, Direction, Lengths, ProjectilePush, StressByLaw,
+    };
     let two = |i: usize| Vector::<f64, 2>::new(r[i], r[i + 1]);
     let three = |i: usize| Vector::<f64, 3>::new(r[i], r[i + 1], r[i + 2]);
     let (theta, secondary, primary) = (
@@ -254,6 +256,7 @@ pub fn evaluate(paper: &impl Paper<f64>, r: &Inputs) -> Vec<(u8, Vec<u64>)> {
         mass: r[10],
         secondary_mass: r[11],
     };
+    let by_law = StressByLaw { stress: r[3], strain_before: r[4], strain: r[5], memory: &r[6..8] };
     let direction = paper.eqn_11_direction(two(0), two(2));
     let outputs = [
         [
@@ -276,7 +279,7 @@ pub fn evaluate(paper: &impl Paper<f64>, r: &Inputs) -> Vec<(u8, Vec<u64>)> {
             paper.eqn_6_length(two(0), two(2), two(4), two(6), r[8]),
             paper.eqn_6_length(three(0), three(3), three(6), three(9), r[12]),
         ],
-        vec![paper.eqn_7_tension(r[0], r[1])],
+        vec![paper.eqn_7_tension(r[0], r[1]), paper.eqn_7_tension_by_law(r[2], by_law)],
         vec![paper.eqn_8_projectile_velocity(projectile)],
         vec![paper.eqn_9_parallel_velocity(r[0], r[1], theta)],
         vec![paper.eqn_10_perpendicular_velocity(r[0], r[1], theta)],

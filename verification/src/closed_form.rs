@@ -2,9 +2,62 @@
 
 use crossfibre::exact::crossover::{Coefficients, crossover};
 use crossfibre::exact::elastic::Hyperelastic;
+use crossfibre::exact::exponential::Exponential;
 use crossfibre::exact::fronts::{Across, Clamped, Problem};
-use crossfibre::exact::smith::{Fibre, Law, Strain as ExactStrain};
-use crossfibre::scene::{Primary, Scene, Secondary, Strain};
+use crossfibre::exact::polynomial::Polynomial;
+use crossfibre::exact::smith::{self, Fibre, Law, Smith, SmithError, Strain as ExactStrain};
+use crossfibre::scene::{Law as Constitutive, Material, Primary, Scene, Secondary, Strain};
+
+/// Why the closed forms of the crossover and the motion at any time do not hold for a scene, if so:
+/// they are those of eqn (7).
+pub fn beyond(scene: &Scene) -> Option<String> {
+    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
+    [Some(&scene.primary.material), secondary]
+        .into_iter()
+        .flatten()
+        .find(|material| !matches!(material.law, Constitutive::Linear { .. }))
+        .map(|material| format!("it is known for eqn (7) only, not for {}", name(material)))
+}
+
+/// A law in words.
+pub fn name(material: &Material) -> &'static str {
+    match material.law {
+        Constitutive::Linear { .. } => "eqn (7)",
+        Constitutive::Polynomial { .. } => "a polynomial",
+        Constitutive::Exponential { .. } => "an exponential",
+        Constitutive::Viscoelastic { .. } => "a viscoelastic fibre",
+        Constitutive::Eyring { .. } => "an Eyring fibre",
+    }
+}
+
+/// Smith's solution for a fibre of a scene, of any elastic law; an error says why there is none.
+///
+/// Artificial viscosity is no part of it, and a fibre that is struck does not go slack.
+pub fn struck(scene: &Scene, material: &Material, density: f64) -> Result<Smith, String> {
+    let velocity = scene.projectile.velocity;
+    let curved = |material: Result<Smith, SmithError>| material.map_err(|e| e.to_string());
+    match (&material.law, scene.strain) {
+        (Constitutive::Linear { modulus }, _) => {
+            curved(smith::smith(law(scene), (modulus / density).sqrt(), velocity))
+        }
+        (Constitutive::Viscoelastic { .. } | Constitutive::Eyring { .. }, _) => {
+            Err("the arms relax, and no plateau lasts".into())
+        }
+        (_, Strain::Incremental) => Err(format!(
+            "eqn (4) makes another law of {}, without a closed form; \
+                         \"strain\": \"engineering\" has one",
+            name(material)
+        )),
+        (Constitutive::Polynomial { coefficients }, Strain::Engineering) => {
+            let law = Polynomial::new(density, coefficients).map_err(|e| e.to_string())?;
+            curved(smith::struck(&law, velocity))
+        }
+        (Constitutive::Exponential { a, b }, Strain::Engineering) => {
+            let law = Exponential::new(density, *a, *b).map_err(|e| e.to_string())?;
+            curved(smith::struck(&law, velocity))
+        }
+    }
+}
 
 /// The law that a scene's equations amount to: (4) and (7) are T = E ln λ.
 pub fn law(scene: &Scene) -> Law {
@@ -58,7 +111,7 @@ pub fn problem(scene: &Scene) -> Problem<Hyperelastic> {
 /// range of the closed form.
 pub fn coefficients(scene: &Scene) -> Option<Coefficients> {
     let across = scene.secondary.as_ref().filter(|secondary| secondary.at > 0.0)?;
-    if scene.projectile.mass.is_some() {
+    if scene.projectile.mass.is_some() || beyond(scene).is_some() {
         return None;
     }
     let fibres = (primary(&scene.primary), secondary(across));

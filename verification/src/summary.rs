@@ -55,6 +55,7 @@ impl Summary<'_> {
         let mesh = Discretisation::<f64>::of(scene);
         let exact = Exact::of(scene, result.time);
         let law = match law(scene) {
+            _ if scene.has_other_laws() => "see docs/materials.md",
             Law::Logarithmic => "eqns (4) and (7), which are T = E ln λ; strain is ln λ",
             Law::Engineering => "T = E (λ - 1); strain is λ - 1, not the paper's",
         };
@@ -121,9 +122,13 @@ impl Summary<'_> {
             Some(_) => format!(", projectile {}", significant(energy.projectile)),
             None => String::new(),
         };
+        let dissipated = match energy.dissipated {
+            0.0 => String::new(),
+            lost => format!(", dissipated {}", significant(lost)),
+        };
         writeln!(
             to,
-            "energy, J    put in {}; kinetic {}, stored {}{projectile}; residual {:+.4} %",
+            "energy, J    put in {}; kinetic {}, stored {}{dissipated}{projectile}; residual {:+.4} %",
             significant(energy.initial + energy.work),
             significant(energy.kinetic),
             significant(energy.stored),

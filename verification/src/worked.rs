@@ -5,7 +5,7 @@ mod evaluate;
 
 use std::io::{self, Write};
 
-use crossfibre::equations::{EQUATIONS, Line, SYMBOLS, equation};
+use crossfibre::equations::{EQUATIONS, Line, SYMBOLS, TENSION_BY_LAW, equation};
 use crossfibre::errata::{Erratum, Kind};
 use crossfibre::paper::Paper;
 use crossfibre::place::Place;
@@ -77,7 +77,9 @@ impl<'a, W: Write> Worked<'a, W> {
             writeln!(self.out)?;
         }
 
-        let lines = &self.lines[usize::from(number) - 1];
+        let by_law = event.inputs.iter().any(|(name, _)| *name == "stress");
+        let lines: &[Line] =
+            if by_law { &[TENSION_BY_LAW] } else { &self.lines[usize::from(number) - 1] };
         let mut steps = Vec::new();
         for (i, line) in lines.iter().enumerate() {
             let of_line = work_out(line, &mut known).map_err(io::Error::other)?;
@@ -136,6 +138,10 @@ fn write_input(out: &mut impl Write, name: &str, value: &Value<'_, f64>) -> io::
     let (meaning, unit) = meaning(name);
     match value {
         Value::Scalar(x) => write_number(out, &format!("{name:<13}"), *x, unit, meaning),
+        Value::Vector(v) if name == "memory" => v.iter().enumerate().try_for_each(|(i, &x)| {
+            let name = format!("{name}[{i}]");
+            write_number(out, &format!("{name:<13}"), x, unit, if i == 0 { meaning } else { "" })
+        }),
         Value::Vector(v) => v.iter().zip(AXES).try_for_each(|(&x, axis)| {
             let name = format!("{name}_{axis}");
             write_number(

@@ -183,9 +183,7 @@ fn galilean() -> Vec<Check> {
 pub fn rescaled(scene: &Scene, a: i32, b: i32, c: i32) -> Scene {
     let power = |n: i32| 2.0_f64.powi(n);
     let modulus = power(c - a - 2 * b);
-    let material = |m: &Material| match *m {
-        Material::Linear { modulus: e } => Material::Linear { modulus: e * modulus },
-    };
+    let material = |m: &Material| Material::linear(m.instantaneous_modulus() * modulus);
     let mut scene = scene.clone();
     let (length, density, area) = (power(a), power(c - 3 * a), power(2 * a));
     let p = &mut scene.primary;

@@ -15,11 +15,43 @@ pub fn told(scene: &Scene, outcome: &Outcome) -> Exit {
     Exit::RunEnded
 }
 
+/// The greatest stable Courant number of the fibres with artificial viscosity, at rest.
+fn viscous_limit(scene: &Scene) -> Option<f64> {
+    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
+    [Some(&scene.primary.material), secondary]
+        .into_iter()
+        .flatten()
+        .filter_map(|material| material.artificial_viscosity)
+        .map(|viscosity| viscosity.greatest_courant_at_rest())
+        .reduce(f64::min)
+}
+
 fn advice(scene: &Scene, outcome: &Outcome) -> String {
     if matches!(outcome, Outcome::CrossoverLeft { .. }) {
         return "shorten the duration, move the crossover away from that end, \
                 or raise the slide factor"
             .into();
+    }
+    if let Outcome::CourantExceeded { would_serve, .. } = outcome {
+        return match would_serve {
+            Some(courant) => {
+                format!(
+                    "set \"courant\" to {courant:.3}: the scene has been run to its end with it"
+                )
+            }
+            None => "lower the Courant number, or the velocity".into(),
+        };
+    }
+    if matches!(outcome, Outcome::NoWaves { .. }) {
+        return "the law must keep a positive slope over the strains of the run: lower the velocity, \
+                change the coefficients, or set \"tension_only\" if it is in compression"
+            .into();
+    }
+    if let Some(most) = viscous_limit(scene).filter(|&most| scene.courant > most) {
+        return format!(
+            "the Courant number is {}; with this artificial viscosity the limit is {most:.3}",
+            scene.courant
+        );
     }
     if scene.courant > 1.0 {
         return format!("the Courant number is {}; the limit of the scheme is 1", scene.courant);

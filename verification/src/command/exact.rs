@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 
 use super::scene;
+use crate::closed_form;
 use crate::exact_file::ExactFile;
 use crate::exact_plot::picture;
 use crate::exact_summary::ExactSummary;
@@ -35,6 +36,12 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Exit> {
     let destination = Destination::of(args.output.as_deref())?;
     let scene = scene::read(&args.scene)?;
+    if let Some(why) = closed_form::beyond(&scene) {
+        bail!(
+            "no exact motion of this scene: {why}\n  help: `crossfibre run` has Smith's strain for a \
+             polynomial or exponential law beside its own"
+        );
+    }
     let time = args.time.unwrap_or(scene.duration);
     if !(time.is_finite() && time > 0.0) {
         bail!("--time {time}: must be a positive number of seconds after impact, such as 28.7e-6");

@@ -77,6 +77,9 @@ impl Display for Table<'_> {
             Some(node) => writeln!(to, "crossover    node {node} of the primary fibre")?,
             None => writeln!(to, "crossover    none")?,
         }
+        for f in plan.fibres.iter().filter(|f| f.law != "linear") {
+            writeln!(to, "law          {} fibre: {}", f.fibre.name(), f.law)?;
+        }
         writeln!(to, "corrections  {}", corrections(&plan.corrections))?;
         writeln!(
             to,
@@ -84,8 +87,13 @@ impl Display for Table<'_> {
             plan.element_steps,
             plan.memory / 1e3
         )?;
-        if plan.fibres.iter().any(|f| f.courant > 1.0) {
-            writeln!(to, "beware       a Courant number above 1: the scheme is unstable")?;
+        for f in plan.fibres.iter().filter(|f| f.courant > f.greatest_courant) {
+            writeln!(
+                to,
+                "beware       a Courant number above {:.4} on the {} fibre: the scheme is unstable",
+                f.greatest_courant,
+                f.fibre.name()
+            )?;
         }
         writeln!(to, "\nequation                                     runs")?;
         for e in &plan.equations {

@@ -4,6 +4,7 @@
 //! Each group is a case of `verify`; all of them are the page `docs/extremes`.
 
 mod crossover;
+mod laws;
 mod long;
 mod mesh;
 mod page;
@@ -48,6 +49,7 @@ const GROUPS: &[Group] = &[
     mesh::GROUP,
     long::GROUP,
     projectile::GROUP,
+    laws::GROUP,
     scaling::GROUP,
 ];
 

@@ -30,8 +30,7 @@ fn scene(modulus: f64, density: f64, factor: usize) -> Scene {
     let mut scene = measured_by(Strain::Engineering, refined(shipped("fig3"), factor));
     scene.duration = 28e-6;
     let Some(secondary) = &mut scene.secondary else { return scene };
-    secondary.material =
-        Material::Linear { modulus: modulus * secondary.material.instantaneous_modulus() };
+    secondary.material = Material::linear(modulus * secondary.material.instantaneous_modulus());
     secondary.density *= density;
     secondary.length = 0.1 * (modulus / density).sqrt();
     secondary.elements = 50 * factor;

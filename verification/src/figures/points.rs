@@ -130,9 +130,9 @@ impl Abscissa {
 /// A scene with fibres of another modulus, that ends at t = 2X_c/c.
 fn of_modulus(modulus: f64, mut scene: Scene) -> Scene {
     let c = (modulus / scene.primary.density).sqrt();
-    scene.primary.material = Material::Linear { modulus };
+    scene.primary.material = Material::linear(modulus);
     if let Some(secondary) = &mut scene.secondary {
-        secondary.material = Material::Linear { modulus };
+        secondary.material = Material::linear(modulus);
         scene.duration = 2.0 * secondary.at / c;
     }
     scene

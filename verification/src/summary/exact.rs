@@ -4,7 +4,7 @@
 //! secondary. Where a closed form does not hold, or no longer, a note says why.
 
 use crossfibre::exact::crossover::crossover;
-use crossfibre::exact::smith::{self, Smith, smith};
+use crossfibre::exact::smith::Smith;
 use crossfibre::place::Fibre;
 use crossfibre::scene::{Scene, Secondary};
 
@@ -26,6 +26,8 @@ pub struct Plateau {
 /// What the closed forms say.
 #[derive(Debug, Default)]
 pub struct Exact {
+    /// Lagrangian speed of the first disturbance on the primary, m/s: c, or that of a shock.
+    pub front_speed: Option<f64>,
     /// The kink of the primary, m; none where the closed form does not hold.
     pub kink: Option<f64>,
     /// Whether the kink has met the wave that the crossover reflects, and is faster since.
@@ -41,7 +43,9 @@ impl Exact {
         let mut exact = Self::default();
         if let Err(why) = exact.fill(scene, time) {
             exact.notes.push(why);
-            exact.notes.push("`crossfibre exact` follows every front, to any time".into());
+            if closed_form::beyond(scene).is_none() {
+                exact.notes.push("`crossfibre exact` follows every front, to any time".into());
+            }
         }
         exact
     }
@@ -53,17 +57,17 @@ impl Exact {
                         Smith's solution is for a constant velocity"
                 .into());
         }
-        let (law, velocity) = (law(scene), scene.projectile.velocity);
-        let primary = closed_form::primary(&scene.primary);
-        let struck = |fibre: &smith::Fibre| {
-            smith(law, fibre.wave_speed(), velocity).map_err(|e| format!("no exact strain: {e}"))
+        let struck = |material, density| {
+            closed_form::struck(scene, material, density)
+                .map_err(|why| format!("no exact strain: {why}"))
         };
-        let impact = struck(&primary)?;
+        let impact = struck(&scene.primary.material, scene.primary.density)?;
+        self.front_speed = Some(impact.front_speed);
         before_clamp("primary", impact.front_speed, time, 0.0, scene.primary.length)?;
         self.kink = Some(impact.kink_speed_lagrangian * time);
         match &scene.secondary {
             Some(secondary) if secondary.at == 0.0 => {
-                let other = struck(&closed_form::secondary(secondary))?;
+                let other = struck(&secondary.material, secondary.density)?;
                 before_clamp("secondary", other.front_speed, time, 0.0, secondary.length)?;
                 self.push(
                     scene,
@@ -136,6 +140,9 @@ impl Exact {
                  the kink came back to it",
                 micro(back)
             ));
+        }
+        if let Some(why) = closed_form::beyond(scene) {
+            return Err(format!("no exact solution of the crossover: {why}"));
         }
         let fibres = (closed_form::primary(&scene.primary), closed_form::secondary(secondary));
         let around = crossover(

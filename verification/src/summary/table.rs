@@ -52,8 +52,12 @@ impl OneFibre<'_> {
         if largest == 0.0 {
             return vec![Row { fibre, what: "at rest", ..Row::default() }];
         }
-        let reached = self.properties.wave_speed * self.since;
-        let precursor = if self.properties.courant(self.time_step) < 1.0 - 1e-9 {
+        let c = self.properties.wave_speed;
+        let speed = exact.front_speed.filter(|_| self.fibre == Fibre::Primary).unwrap_or(c);
+        let reached = speed * self.since;
+        let precursor = if speed > c * (1.0 + 1e-9) {
+            "the shock's speed times t"
+        } else if self.properties.courant(self.time_step) < 1.0 - 1e-9 {
             "c t; below α = 1 the scheme runs ahead of it, an element a step"
         } else {
             "c t"

@@ -2,9 +2,16 @@
 
 use super::*;
 
-/// ∫ f dx over the moving part of the rod at time t.
-fn along(rod: &PulledRod, t: f64, f: impl Fn(RodState) -> f64) -> f64 {
-    integral(0.0, rod.front_speed() * t, &|x| f(rod.at(x, t).unwrap()))
+/// ∫ f dx over the moving part of the rod at time t, in parts that end at these shares of the way of
+/// the front. An arm that relaxes at once has a thin layer where the front of the others is.
+fn along(rod: &PulledRod, t: f64, layers: &[f64], f: impl Fn(RodState) -> f64) -> f64 {
+    let ends = layers.iter().copied().chain([1.0]);
+    let part = |from: &mut f64, to: f64| {
+        let from = std::mem::replace(from, to);
+        let reach = rod.front_speed() * t;
+        Some(integral(from * reach, to * reach, &|x| f(rod.at(x, t).unwrap())))
+    };
+    ends.scan(0.0, part).sum()
 }
 
 /// ∫ f dt at the end, from 0 to t. The substitution t u⁶ finds the first relaxation of a fast arm,
@@ -14,9 +21,9 @@ fn at_end(rod: &PulledRod, t: f64, f: impl Fn(RodState) -> f64) -> f64 {
 }
 
 /// The parts by which strain misses the pulled length, and momentum the impulse of the end.
-pub(super) fn unbalanced(rod: &PulledRod, density: f64, t: f64) -> (f64, f64) {
-    let length = along(rod, t, |state| state.strain) / (VELOCITY * t) - 1.0;
-    let momentum = density * along(rod, t, |state| state.velocity);
+pub(super) fn unbalanced(rod: &PulledRod, density: f64, t: f64, layers: &[f64]) -> (f64, f64) {
+    let length = along(rod, t, layers, |state| state.strain) / (VELOCITY * t) - 1.0;
+    let momentum = density * along(rod, t, layers, |state| state.velocity);
     (length.abs(), (momentum / at_end(rod, t, |state| state.stress) - 1.0).abs())
 }
 
@@ -29,7 +36,7 @@ fn strain_makes_the_length_and_the_end_makes_the_momentum() {
         (fluid(), 970.0, [1.1e-6, 5.3e-5, 1.7e-3]),
     ] {
         for t in times {
-            let (length, momentum) = unbalanced(&rod, density, t);
+            let (length, momentum) = unbalanced(&rod, density, t, &[]);
             assert!(length < 1e-14 && momentum < 1e-14, "{t}: {length:e} {momentum:e}");
         }
     }
@@ -44,13 +51,13 @@ fn work_of_the_end_is_kinetic_stored_or_dissipated() {
     let in_arm = |state: RodState| state.stress - spring * state.strain;
     for t in [1.9e-6, 2.7e-5, 1.1e-4] {
         let work = at_end(&rod, t, |state| state.stress * VELOCITY);
-        let energy = along(&rod, t, |state| {
+        let energy = along(&rod, t, &[], |state| {
             let RodState { strain, velocity, .. } = state;
             let arm = in_arm(state);
             0.5 * (density * velocity * velocity + spring * strain * strain + arm * arm / modulus)
         });
         let dissipated = integral(0.0, t, &|t| {
-            along(&rod, t, |state| in_arm(state) * in_arm(state)) / (modulus * relaxation_time)
+            along(&rod, t, &[], |state| in_arm(state) * in_arm(state)) / (modulus * relaxation_time)
         });
         let error = (energy + dissipated) / work - 1.0;
         assert!(error.abs() < 1e-14, "{t}: {error:e}");

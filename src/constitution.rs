@@ -1,0 +1,194 @@
+//! A fibre of another law than (7): what its elements remember, and what the law makes of a step.
+
+use std::sync::Arc;
+
+use crate::discretisation::Properties;
+use crate::material::{Law, Mesh, ParameterError, of_scene};
+use crate::number::Number;
+use crate::scene::Material;
+
+/// The law of a fibre and what its elements remember for it.
+#[derive(Clone, Debug)]
+pub struct Constitution<S> {
+    /// The law, for steps of the scene's Δt.
+    pub law: Arc<dyn Law<S>>,
+    /// [`Law::memory`] numbers for each element.
+    pub memory: Vec<S>,
+    /// Cross-section, m².
+    pub area: S,
+    /// Energy along the path that (4) takes.
+    pub path: PathEnergy<S>,
+    /// What the step bears; none where the law cannot outgrow it.
+    bound: Option<Bound<S>>,
+    /// Of the block of elements that is being worked on.
+    pub(crate) block: Block<S>,
+}
+
+/// Work on the elements since impact, J.
+///
+/// The strain of (4) depends on the path, and so no function of it is the energy of a law. The work
+/// of a step is T ΔL with ΔL = L^{t−1} Δε, T being the mean of before and after; what the law does
+/// not dissipate of it is stored.
+#[derive(Clone, Copy, Debug)]
+pub struct PathEnergy<S> {
+    /// Stored.
+    pub stored: S,
+    /// Dissipated.
+    pub dissipated: S,
+}
+
+/// The modulus that a step bears.
+#[derive(Clone, Copy, Debug)]
+struct Bound<S> {
+    /// ρΔx²/Δt², Pa: a local Courant number of 1.
+    at_one: S,
+    /// The same, or that of the fibre at rest where this is greater: a Courant number above 1 that
+    /// a scene asks for is worth showing. A billionth more than that: in 10⁴ steps the highest mode
+    /// then grows by exp(10⁴ × 2√1e-9) < 2, and rounding of the strain at rest stays below.
+    most: S,
+}
+
+/// Numbers of a block of elements that only a step needs.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<S> {
+    pub strain_before: Vec<S>,
+    pub length: Vec<S>,
+    pub previous_length: Vec<S>,
+    pub stress: Vec<S>,
+    dissipated: Vec<S>,
+    modulus: Vec<S>,
+}
+
+impl<S: Number> Block<S> {
+    fn of(elements: usize) -> Self {
+        let numbers = || vec![S::zero(); elements];
+        Self {
+            strain_before: numbers(),
+            length: numbers(),
+            previous_length: numbers(),
+            stress: numbers(),
+            dissipated: numbers(),
+            modulus: numbers(),
+        }
+    }
+
+    /// Makes room for a block.
+    pub fn fit(&mut self, elements: usize) {
+        if self.stress.len() < elements {
+            *self = Self::of(elements);
+        }
+    }
+}
+
+/// How a law breaks the bounds of the scheme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Breach {
+    /// The local Courant number, above 1.
+    Courant(f64),
+    /// The strain at which the modulus is negative.
+    NoWaves(f64),
+}
+
+impl<S: Number> Constitution<S> {
+    /// At rest. None for eqn (7).
+    pub fn of(
+        material: &Material,
+        density: f64,
+        fibre: &Properties<S>,
+        time_step: S,
+    ) -> Result<Option<Self>, ParameterError> {
+        let mesh = Mesh { density, spacing: fibre.spacing.to_f64() };
+        let law = of_scene(material, mesh, time_step)?;
+        Ok(law.map(|law| {
+            let memory = vec![S::zero(); law.memory() * fibre.elements];
+            let nothing = S::zero();
+            let bound = law.can_outgrow_the_step().then(|| {
+                let spacing_per_step = fibre.spacing / time_step;
+                let at_one = S::from_f64(density) * spacing_per_step * spacing_per_step;
+                let at_rest = law.step_modulus(nothing, nothing, &memory[..law.memory()]);
+                let most = at_one.max(at_rest) * (S::one() + S::from_f64(1e-9));
+                Bound { at_one, most }
+            });
+            Self {
+                memory,
+                area: fibre.area,
+                path: PathEnergy { stored: nothing, dissipated: nothing },
+                bound,
+                block: Block::of(0),
+                law,
+            }
+        }))
+    }
+
+    /// Stresses of a block of elements from their strains; the elements' memory moves on.
+    pub(crate) fn stresses(&mut self, first: usize, strain: &[S]) {
+        let (count, n) = (strain.len(), self.law.memory());
+        let memory = &mut self.memory[first * n..][..count * n];
+        let (before, stress) =
+            (&self.block.strain_before[..count], &mut self.block.stress[..count]);
+        self.law.stresses(before, strain, memory, stress);
+    }
+
+    /// As [`Self::stresses`], and books the energies along the path of (4). `tension` is that of
+    /// before.
+    pub(crate) fn stresses_along_path(&mut self, first: usize, strain: &[S], tension: &[S]) {
+        let (count, n) = (strain.len(), self.law.memory());
+        let of_block = first * n..(first + count) * n;
+        self.law.dissipations(&self.memory[of_block.clone()], &mut self.block.dissipated[..count]);
+        self.stresses(first, strain);
+        let Block { strain_before, previous_length, stress, dissipated, modulus, .. } =
+            &mut self.block;
+        let dissipated_now = &mut modulus[..count];
+        self.law.dissipations(&self.memory[of_block], dissipated_now);
+        for i in 0..count {
+            let now = self.area * stress[i];
+            let longer = previous_length[i] * (strain[i] - strain_before[i]);
+            let work = S::half() * (tension[i] + now) * longer;
+            let lost = self.area * previous_length[i] * (dissipated_now[i] - dissipated[i]);
+            self.path.stored += work - lost;
+            self.path.dissipated += lost;
+        }
+    }
+
+    /// What the memory of an element is.
+    pub(crate) fn memory_of(&self, element: usize) -> &[S] {
+        let n = self.law.memory();
+        &self.memory[element * n..][..n]
+    }
+
+    /// The first element of a block where the law breaks the bounds of the scheme, counted from the
+    /// block's first. `per_stretch` is d(strain)/d(stretch) of an element.
+    pub(crate) fn breach(
+        &mut self,
+        first: usize,
+        strain: &[S],
+        per_stretch: impl Fn(&Block<S>, usize) -> S,
+    ) -> Option<(usize, Breach)> {
+        let bound = self.bound?;
+        let (count, n) = (strain.len(), self.law.memory());
+        let memory = &self.memory[first * n..][..count * n];
+        let before = &self.block.strain_before[..count];
+        self.law.step_moduli(before, strain, memory, &mut self.block.modulus[..count]);
+        (0..count).find_map(|i| {
+            let modulus = self.block.modulus[i] * per_stretch(&self.block, i);
+            if modulus < S::zero() {
+                Some((i, Breach::NoWaves(strain[i].to_f64())))
+            } else if modulus > bound.most {
+                Some((i, Breach::Courant((modulus / bound.at_one).sqrt().to_f64())))
+            } else {
+                None
+            }
+        })
+    }
+
+    /// Stored and dissipated energy, J, where no path of (4) has to be followed.
+    pub(crate) fn energies(&self, strain: &[S], unstrained: &[S]) -> PathEnergy<S> {
+        let mut sum = PathEnergy { stored: S::zero(), dissipated: S::zero() };
+        for (i, (&strain, &length)) in strain.iter().zip(unstrained).enumerate() {
+            let memory = self.memory_of(i);
+            sum.stored += self.law.stored(strain, memory) * length;
+            sum.dissipated += self.law.dissipated(memory) * length;
+        }
+        PathEnergy { stored: self.area * sum.stored, dissipated: self.area * sum.dissipated }
+    }
+}
