@@ -135,8 +135,11 @@ impl<S: Number> State<S> {
         let way = self.along_axis(&self.primary.velocity[0]) * self.time_step;
         let force = first_before + self.first_tension_along_axis();
         let accounts = &mut self.accounts;
-        accounts.drive_work -= force * way;
-        accounts.most_work = accounts.most_work.max(accounts.drive_work);
+        accounts.fibre_work -= force * way;
+        accounts.most_fibre_work = accounts.most_fibre_work.max(accounts.fibre_work);
+        if self.projectile.mass.is_none() {
+            accounts.drive_work = accounts.fibre_work;
+        }
     }
 
     /// How far the energy of the fibres without their first node is from the work done on them, over
@@ -148,8 +151,8 @@ impl<S: Number> State<S> {
         let [node, at_impact] =
             [self.middle_energy_of_first(), self.accounts.initial_energy * share];
         let has = energy.kinetic - node.to_f64() + energy.stored + energy.dissipated;
-        let given = at_impact + self.accounts.most_work;
-        (has - self.accounts.drive_work.to_f64()) / given.to_f64()
+        let given = at_impact + self.accounts.most_fibre_work;
+        (has - self.accounts.fibre_work.to_f64()) / given.to_f64()
     }
 
     /// Mean of the first node's velocities before and after, which belongs to its position.
@@ -206,8 +209,6 @@ impl<S: Number> State<S> {
         let mass = self.projectile_mass();
         let projectile = half * mass * mid * mid;
         let accounts = &self.accounts;
-        let driven = self.projectile.mass.is_none();
-        let work = if driven { accounts.drive_work.to_f64() } else { 0.0 };
         let [kinetic, stored, dissipated] = [kinetic, stored, dissipated].map(S::to_f64);
         let energy = Energy {
             kinetic,
@@ -215,10 +216,10 @@ impl<S: Number> State<S> {
             dissipated,
             projectile: projectile.to_f64(),
             initial: accounts.initial_energy.to_f64(),
-            work,
+            work: accounts.drive_work.to_f64(),
             residual: kinetic + stored + dissipated + projectile.to_f64()
                 - accounts.initial_energy.to_f64()
-                - work,
+                - accounts.drive_work.to_f64(),
         };
         let entered = accounts.initial_momentum + accounts.drive_impulse + accounts.clamp_impulse;
         let momentum = Momentum {

@@ -73,10 +73,12 @@ pub struct Accounts<S> {
     pub drive_impulse: S,
     /// Impulse of the clamps, N s.
     pub clamp_impulse: S,
-    /// Work of the first node on the rest of the fibres, J.
+    /// Work of the drive, J.
     pub drive_work: S,
-    /// The most that it has been.
-    pub most_work: S,
+    /// Work of the first node on the rest of the fibres, whatever moves it, J.
+    pub fibre_work: S,
+    /// The most that it has been, J.
+    pub most_fibre_work: S,
 }
 
 /// Everything that one time step changes.
@@ -228,7 +230,8 @@ impl<S: Number> State<S> {
                 drive_impulse: nothing,
                 clamp_impulse: nothing,
                 drive_work: nothing,
-                most_work: nothing,
+                fibre_work: nothing,
+                most_fibre_work: nothing,
             },
             work: Work::default(),
         };

@@ -15,8 +15,8 @@ written by
 
     crossfibre study extremes --out docs/extremes
 
-and is the same to the byte wherever that runs: what it says of a run is measured, not typed. The same rows
-are the cases `extreme.*` of `crossfibre verify`. That no scene which passes its check ends in a panic or in
+and is the same to the byte wherever that runs: the numbers of its tables are measured, not typed. The same
+rows are the cases `extreme.*` of `crossfibre verify`. That no scene which passes its check ends in a panic or in
 a number that is not finite is tested over random scenes (`tests/parameter_box.rs`).
 ",
     );
