@@ -17,11 +17,11 @@ pub(super) const GROUP: Group = Group {
     },
     rows,
     found: "\
-Right from a crossing fibre that is not felt to one that stops four fifths of the wave, and to a secondary
-strained to thirty-four times its length. A secondary much stiffer than the primary needs the finest mesh
-(here 0.03 mm, else 0.125 mm): measured by its own wave speed it is dragged slowly, and its kink crawls. The
-stiffest and lightest has not let go of the first element; what it takes of the wave, a thousandth, is right
-to a half, and its own strain is not.",
+Right from a crossing fibre that is not felt to one that stops nine tenths of the wave, and up to a strain of
+34 on the secondary. A secondary much stiffer than the primary needs the finest mesh (here 0.03 mm, else
+0.125 mm): measured by its own wave speed it is dragged slowly, and its kink crawls. The kink of the stiffest
+and lightest has not left its first element: what it takes of the wave, less than a thousandth, is as small
+as the error, and its own strain is off by a third.",
 };
 
 /// Fig. 3 with a secondary whose modulus and density are so many times the primary's. The elements of
