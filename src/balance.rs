@@ -138,7 +138,7 @@ impl<S: Number> State<S> {
         accounts.fibre_work -= force * way;
         accounts.most_fibre_work = accounts.most_fibre_work.max(accounts.fibre_work);
         if self.projectile.mass.is_none() {
-            accounts.drive_work = accounts.fibre_work;
+            accounts.drive_work -= force * way;
         }
     }
 
@@ -209,17 +209,17 @@ impl<S: Number> State<S> {
         let mass = self.projectile_mass();
         let projectile = half * mass * mid * mid;
         let accounts = &self.accounts;
-        let [kinetic, stored, dissipated] = [kinetic, stored, dissipated].map(S::to_f64);
         let energy = Energy {
-            kinetic,
-            stored,
-            dissipated,
+            kinetic: kinetic.to_f64(),
+            stored: stored.to_f64(),
+            dissipated: dissipated.to_f64(),
             projectile: projectile.to_f64(),
             initial: accounts.initial_energy.to_f64(),
             work: accounts.drive_work.to_f64(),
-            residual: kinetic + stored + dissipated + projectile.to_f64()
-                - accounts.initial_energy.to_f64()
-                - accounts.drive_work.to_f64(),
+            residual: (kinetic + stored + dissipated + projectile
+                - accounts.initial_energy
+                - accounts.drive_work)
+                .to_f64(),
         };
         let entered = accounts.initial_momentum + accounts.drive_impulse + accounts.clamp_impulse;
         let momentum = Momentum {
@@ -311,17 +311,22 @@ impl<S: Number, const D: usize> FibreState<S, D> {
 /// `(e − 1) exp e + 1`, the energy of T = ln λ per reference length at e = ln λ.
 ///
 /// As it stands it loses all digits at small strain, so there it is summed as
-/// Σ (k − 1) e^k / k! from k = 2: sixteen terms leave less than 1e-17 of the sum at e = ½.
+/// Σ (k − 1) e^k / k! from k = 2, up to the last term that counts.
 fn logarithmic_energy<S: Number>(e: S) -> S {
     let half = S::half();
     if e > half || e < -half {
         return (e - S::one()) * e.exp() + S::one();
     }
-    let mut power = e;
-    (2..18).fold(S::zero(), |sum, k| {
+    let (mut power, mut sum, mut k) = (S::half() * e * e, S::zero(), 2);
+    loop {
+        let next = sum + S::count(k - 1) * power;
+        if next == sum || !next.is_finite() {
+            return next;
+        }
+        sum = next;
+        k += 1;
         power = power * e / S::count(k);
-        sum + S::count(k - 1) * power
-    })
+    }
 }
 
 #[cfg(test)]

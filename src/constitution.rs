@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::discretisation::Properties;
 use crate::material::{Law, Mesh, ParameterError, of_scene};
 use crate::number::Number;
+use crate::paper::Remembered;
 use crate::scene::Material;
 
 /// The law of a fibre and what its elements remember for it.
@@ -14,6 +15,8 @@ pub struct Constitution<S> {
     pub law: Arc<dyn Law<S>>,
     /// [`Law::memory`] numbers for each element.
     pub memory: Vec<S>,
+    /// That many.
+    each: usize,
     /// Cross-section, m².
     pub area: S,
     /// Energy along the path that (4) takes.
@@ -110,6 +113,7 @@ impl<S: Number> Constitution<S> {
                 Bound { at_one, most }
             });
             Self {
+                each: law.memory(),
                 memory,
                 area: fibre.area,
                 path: PathEnergy { stored: nothing, dissipated: nothing },
@@ -122,7 +126,7 @@ impl<S: Number> Constitution<S> {
 
     /// Stresses of a block of elements from their strains; the elements' memory moves on.
     pub(crate) fn stresses(&mut self, first: usize, strain: &[S]) {
-        let (count, n) = (strain.len(), self.law.memory());
+        let (count, n) = (strain.len(), self.each);
         let memory = &mut self.memory[first * n..][..count * n];
         let (before, stress) =
             (&self.block.strain_before[..count], &mut self.block.stress[..count]);
@@ -132,28 +136,38 @@ impl<S: Number> Constitution<S> {
     /// As [`Self::stresses`], and books the energies along the path of (4). `tension` is that of
     /// before.
     pub(crate) fn stresses_along_path(&mut self, first: usize, strain: &[S], tension: &[S]) {
-        let (count, n) = (strain.len(), self.law.memory());
-        let of_block = first * n..(first + count) * n;
-        self.law.dissipations(&self.memory[of_block.clone()], &mut self.block.dissipated[..count]);
-        self.stresses(first, strain);
-        let Block { strain_before, previous_length, stress, dissipated, modulus, .. } =
-            &mut self.block;
-        let dissipated_now = &mut modulus[..count];
-        self.law.dissipations(&self.memory[of_block], dissipated_now);
-        for i in 0..count {
-            let now = self.area * stress[i];
-            let longer = previous_length[i] * (strain[i] - strain_before[i]);
-            let work = S::half() * (tension[i] + now) * longer;
-            let lost = self.area * previous_length[i] * (dissipated_now[i] - dissipated[i]);
-            self.path.stored += work - lost;
-            self.path.dissipated += lost;
+        let (count, n) = (strain.len(), self.each);
+        if n > 0 {
+            let memory = &self.memory[first * n..][..count * n];
+            self.law.dissipations(memory, &mut self.block.dissipated[..count]);
         }
+        self.stresses(first, strain);
+        let block = &mut self.block;
+        let before = &block.strain_before[..count];
+        let (length, stress) = (&block.previous_length[..count], &block.stress[..count]);
+        let mut worked = S::zero();
+        for i in 0..count {
+            let longer = length[i] * (strain[i] - before[i]);
+            worked += (tension[i] + self.area * stress[i]) * longer;
+        }
+        let mut lost = S::zero();
+        if n > 0 {
+            let memory = &self.memory[first * n..][..count * n];
+            let (dissipated, now) = (&block.dissipated[..count], &mut block.modulus[..count]);
+            self.law.dissipations(memory, now);
+            for i in 0..count {
+                lost += length[i] * (now[i] - dissipated[i]);
+            }
+            lost *= self.area;
+        }
+        self.path.stored += S::half() * worked - lost;
+        self.path.dissipated += lost;
     }
 
-    /// What the memory of an element is.
-    pub(crate) fn memory_of(&self, element: usize) -> &[S] {
-        let n = self.law.memory();
-        &self.memory[element * n..][..n]
+    /// What an element remembers.
+    #[inline(always)]
+    pub(crate) fn remembered(&self, element: usize) -> Remembered<'_, S> {
+        Remembered { of_all: &self.memory, each: self.each, element }
     }
 
     /// The first element of a block where the law breaks the bounds of the scheme, counted from the
@@ -165,7 +179,7 @@ impl<S: Number> Constitution<S> {
         per_stretch: impl Fn(&Block<S>, usize) -> S,
     ) -> Option<(usize, Breach)> {
         let bound = self.bound?;
-        let (count, n) = (strain.len(), self.law.memory());
+        let (count, n) = (strain.len(), self.each);
         let memory = &self.memory[first * n..][..count * n];
         let before = &self.block.strain_before[..count];
         self.law.step_moduli(before, strain, memory, &mut self.block.modulus[..count]);
@@ -185,7 +199,7 @@ impl<S: Number> Constitution<S> {
     pub(crate) fn energies(&self, strain: &[S], unstrained: &[S]) -> PathEnergy<S> {
         let mut sum = PathEnergy { stored: S::zero(), dissipated: S::zero() };
         for (i, (&strain, &length)) in strain.iter().zip(unstrained).enumerate() {
-            let memory = self.memory_of(i);
+            let memory = self.remembered(i).numbers();
             sum.stored += self.law.stored(strain, memory) * length;
             sum.dissipated += self.law.dissipated(memory) * length;
         }

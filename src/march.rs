@@ -268,13 +268,17 @@ impl<S: Number> Along<S> {
         tension: &mut [S],
         pull: &mut [Vector<S, D>],
     ) -> Result<bool, Outcome> {
-        by.block.fit(strain.len());
+        let count = strain.len();
+        by.block.fit(count);
+        let lengths = &mut by.block.length[..count];
+        let previous_lengths = &mut by.block.previous_length[..count];
+        let strains_before = &mut by.block.strain_before[..count];
         for (i, strain) in strain.iter_mut().enumerate() {
             paper.at(self.place(elements.first + i));
             let length = elements.lengths(paper, i);
-            by.block.length[i] = length.now;
-            by.block.previous_length[i] = length.previous;
-            by.block.strain_before[i] = *strain;
+            lengths[i] = length.now;
+            previous_lengths[i] = length.previous;
+            strains_before[i] = *strain;
             *strain = paper.eqn_4_strain(*strain, length);
         }
         let along_path = paper.uses_previous_length();
@@ -283,30 +287,37 @@ impl<S: Number> Along<S> {
         } else {
             by.stresses(elements.first, strain);
         }
-        let mut whole = strain.len();
+        let stresses = &by.block.stress[..count];
+        let strains_before = &by.block.strain_before[..count];
+        let lengths = &by.block.length[..count];
+        let (tension, pull) = (&mut tension[..count], &mut pull[..count]);
+        let mut finite = true;
         for (i, &strain) in strain.iter().enumerate() {
             let stress = StressByLaw {
-                stress: by.block.stress[i],
-                strain_before: by.block.strain_before[i],
+                stress: stresses[i],
+                strain_before: strains_before[i],
                 strain,
-                memory: by.memory_of(elements.first + i),
+                memory: by.remembered(elements.first + i),
             };
             tension[i] = paper.eqn_7_tension_by_law(by.area, stress);
-            let pull_per_length = tension[i] / by.block.length[i];
+            let pull_per_length = tension[i] / lengths[i];
             pull[i] = elements.element(i) * pull_per_length;
             // A law whose stress is bounded makes a finite tension of an infinite strain.
-            if !(pull_per_length.is_finite() && strain.is_finite()) {
-                whole = whole.min(i);
-            }
+            finite &= pull_per_length.is_finite() & strain.is_finite();
         }
         // (4) adds ΔL/L^{t−1}, the engineering strain ΔL/L⁰.
         let per_stretch = |block: &Block<S>, i: usize| {
             if along_path { elements.unstrained[i] / block.previous_length[i] } else { S::one() }
         };
-        match by.breach(elements.first, strain, per_stretch) {
-            // The first element that fails is named, as it is in blocks of one.
-            Some((i, breach)) if i < whole => Err(breach.at(self.place(elements.first + i))),
-            _ => Ok(whole == strain.len()),
+        let breach = by.breach(elements.first, strain, per_stretch);
+        // Of both kinds of failure the first is named, as it is in blocks of one.
+        let is_whole =
+            |i: usize| strain[i].is_finite() && (tension[i] / by.block.length[i]).is_finite();
+        match breach {
+            Some((i, breach)) if finite || (0..=i).all(is_whole) => {
+                Err(breach.at(self.place(elements.first + i)))
+            }
+            _ => Ok(finite),
         }
     }
 

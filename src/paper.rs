@@ -45,7 +45,25 @@ pub struct StressByLaw<'a, S> {
     /// `ε_i^t`.
     pub strain: S,
     /// What the element remembers for its law after the step.
-    pub memory: &'a [S],
+    pub memory: Remembered<'a, S>,
+}
+
+/// What one element of many remembers; looked up by who wants to see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remembered<'a, S> {
+    /// Of all elements, one after the other.
+    pub of_all: &'a [S],
+    /// How many numbers each remembers.
+    pub each: usize,
+    /// The element.
+    pub element: usize,
+}
+
+impl<'a, S> Remembered<'a, S> {
+    /// The element's numbers.
+    pub fn numbers(&self) -> &'a [S] {
+        &self.of_all[self.element * self.each..][..self.each]
+    }
 }
 
 /// A direction in the x-y plane by its cosine and sine.

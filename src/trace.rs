@@ -214,7 +214,7 @@ impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
             ("stress", scalar(by.stress)),
             ("strain_before", scalar(by.strain_before)),
             ("strain", scalar(by.strain)),
-            ("memory", Value::Vector(by.memory)),
+            ("memory", Value::Vector(by.memory.numbers())),
         ];
         self.report(7, &inputs, scalar(out));
         out

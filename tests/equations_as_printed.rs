@@ -17,7 +17,8 @@ mod common;
 use common::{assert_ulps, exact, exact_vector};
 use crossfibre::number::{Number, Vector};
 use crossfibre::paper::{
-    Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush, StressByLaw,
+    Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush, Remembered,
+    StressByLaw,
 };
 
 /// Makes a test in f64 and one in f32 of each function.
@@ -174,7 +175,7 @@ fn eqn_7_multiplies_by_the_area_where_the_law_is_another<S: Number>() {
         stress: exact::<S>(57_343.5),
         strain_before: exact(0.0234375),
         strain: exact(0.01171875),
-        memory: &[exact(913.375)],
+        memory: Remembered { of_all: &[exact(913.375)], each: 1, element: 0 },
     };
     assert_ulps(
         Printed.eqn_7_tension_by_law(exact(0.036_132_812_5), by),

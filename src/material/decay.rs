@@ -23,17 +23,25 @@ pub(super) fn exp_m1_less_itself<S: Number>(y: S) -> S {
         return y.exp_m1() - y;
     }
     let (mut term, mut sum, mut k) = (S::half() * y * y, S::zero(), 2);
-    while sum + term != sum {
-        sum += term;
+    loop {
+        let next = sum + term;
+        if next == sum || !next.is_finite() {
+            return next;
+        }
+        sum = next;
         k += 1;
         term = term * y / S::count(k);
     }
-    sum
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_not_a_number_stays_so() {
+        assert!(exp_m1_less_itself(f64::NAN).is_nan());
+    }
 
     #[test]
     fn both_parts_keep_their_digits_on_either_side_of_one_half() {

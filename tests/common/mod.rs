@@ -228,7 +228,7 @@ pub type Inputs = [f64; 16];
 /// outputs in the order of the page, to the bit.
 pub fn evaluate(paper: &impl Paper<f64>, r: &Inputs) -> Vec<(u8, Vec<u64>)> {
     use crossfibre::paper::{
-        Cosines, CrossoverPush, Direction, Lengths, ProjectilePush, StressByLaw,
+        Cosines, CrossoverPush, Direction, Lengths, ProjectilePush, Remembered, StressByLaw,
     };
     let two = |i: usize| Vector::<f64, 2>::new(r[i], r[i + 1]);
     let three = |i: usize| Vector::<f64, 3>::new(r[i], r[i + 1], r[i + 2]);
@@ -256,7 +256,8 @@ pub fn evaluate(paper: &impl Paper<f64>, r: &Inputs) -> Vec<(u8, Vec<u64>)> {
         mass: r[10],
         secondary_mass: r[11],
     };
-    let by_law = StressByLaw { stress: r[3], strain_before: r[4], strain: r[5], memory: &r[6..8] };
+    let memory = Remembered { of_all: &r[4..10], each: 2, element: 1 };
+    let by_law = StressByLaw { stress: r[3], strain_before: r[4], strain: r[5], memory };
     let direction = paper.eqn_11_direction(two(0), two(2));
     let outputs = [
         [

@@ -5,6 +5,7 @@ pub mod cases;
 pub mod claims;
 pub mod closed_form;
 pub mod command;
+pub mod cost;
 pub mod exact_file;
 pub mod exact_plot;
 pub mod exact_summary;

@@ -1,14 +1,15 @@
 //! `crossfibre study`: sweeps of many runs, and what is drawn from them.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::{Context, Result};
 use clap::Subcommand;
 
+use crate::cost;
 use crate::exit::Exit;
-use crate::extremes::page;
+use crate::extremes;
 use crate::figures::points::{points, snapshot};
 use crate::figures::{STUDY, Snapshots, files};
 use crate::output::Destination;
@@ -27,6 +28,8 @@ enum Study {
     Figures(Sweep),
     /// Run the extreme cases, and say what happens, whether it is right, and what the program says.
     Extremes(Extremes),
+    /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
+    Cost(Page),
 }
 
 /// Where the page of the extreme cases goes.
@@ -35,6 +38,14 @@ struct Extremes {
     /// Folder for the page, in place of standard output
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+}
+
+/// Where the page of a study goes.
+#[derive(clap::Args)]
+struct Page {
+    /// Folder for the page
+    #[arg(long, default_value = "target/study/cost", value_name = "DIR")]
+    out: PathBuf,
 }
 
 /// A folder for each build of the program, so that what another one has computed is not in the way.
@@ -60,18 +71,19 @@ struct Sweep {
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
         Study::Figures(sweep) => figures(sweep),
-        Study::Extremes(Extremes { out }) => extremes(out.as_deref()),
+        Study::Extremes(Extremes { out }) => write_extremes(out.as_deref()),
+        Study::Cost(page) => write_cost(&page),
     }
 }
 
-fn extremes(out: Option<&Path>) -> Result<Exit> {
+fn write_extremes(out: Option<&Path>) -> Result<Exit> {
     let Some(folder) = out else {
-        write!(io::stdout().lock(), "{}", page())?;
+        write!(io::stdout().lock(), "{}", extremes::page())?;
         return Ok(Exit::Well);
     };
     fs::create_dir_all(folder)
         .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
-    write(&folder.join("README.md"), &page())?;
+    write(&folder.join("README.md"), &extremes::page())?;
     Ok(Exit::Well)
 }
 
@@ -95,6 +107,20 @@ fn figures(args: Sweep) -> Result<Exit> {
         write(&out.join(name), &text)?;
     }
     writeln!(to, "figures: {}", out.display())?;
+    Ok(Exit::Well)
+}
+
+fn write_cost(args: &Page) -> Result<Exit> {
+    fs::create_dir_all(&args.out)
+        .with_context(|| format!("{}: cannot be made a folder", args.out.display()))?;
+    let costs = cost::costs(&env::current_exe()?)?;
+    let page = cost::page(&costs);
+    write(&args.out.join("README.md"), &page)?;
+    let mut to = io::stdout().lock();
+    write!(to, "{page}")?;
+    if costs.iter().any(|cost| cost.instructions.is_none()) {
+        writeln!(to, "\nvalgrind is not there: no instructions are counted")?;
+    }
     Ok(Exit::Well)
 }
 
