@@ -302,14 +302,21 @@ impl<S: Number> Along<S> {
             tension[i] = paper.eqn_7_tension_by_law(by.area, stress);
             let pull_per_length = tension[i] / lengths[i];
             pull[i] = elements.element(i) * pull_per_length;
-            finite &= pull_per_length.is_finite();
+            // A law whose stress is bounded makes a finite tension of an infinite strain.
+            finite &= pull_per_length.is_finite() & strain.is_finite();
         }
         // (4) adds ΔL/L^{t−1}, the engineering strain ΔL/L⁰.
         let per_stretch = |block: &Block<S>, i: usize| {
             if along_path { elements.unstrained[i] / block.previous_length[i] } else { S::one() }
         };
-        match by.breach(elements.first, strain, per_stretch) {
-            Some((i, breach)) if finite => Err(breach.at(self.place(elements.first + i))),
+        let breach = by.breach(elements.first, strain, per_stretch);
+        // Of both kinds of failure the first is named, as it is in blocks of one.
+        let is_whole =
+            |i: usize| strain[i].is_finite() && (tension[i] / by.block.length[i]).is_finite();
+        match breach {
+            Some((i, breach)) if finite || (0..=i).all(is_whole) => {
+                Err(breach.at(self.place(elements.first + i)))
+            }
             _ => Ok(finite),
         }
     }

@@ -50,12 +50,14 @@ pub enum Outcome {
         /// Its strain.
         strain: f64,
     },
-    /// Every number is finite, but the energy balance is broken: an instability has run away.
+    /// Every number is finite, but the energy balance is broken ([`crate::result::MOST_IMBALANCE`]):
+    /// the equations were used where they do not hold, or an instability has run away.
     EnergyUnbalanced {
         /// The step at which the balance was drawn.
         step: u64,
         /// Residual of the balance over the energy put in, without its sign, or the excess of a part
-        /// over it ([`crate::balance::Energy::imbalance`]); none where a sum is not finite.
+        /// over it ([`crate::balance::Energy::imbalance`]); or the same of the fibres over what they
+        /// were given, whichever is greater; none where a sum is not finite.
         #[serde(skip_serializing_if = "Option::is_none")]
         residual: Option<f64>,
     },
@@ -128,11 +130,15 @@ impl fmt::Display for Outcome {
             ),
             Self::EnergyUnbalanced { step, residual: Some(residual) } => write!(
                 f,
-                "unstable: at step {step} the energy balance is off by {residual:.1e} times the \
-                 energy put in"
+                "energy unbalanced: at step {step} the balance is off by {} times the energy put in",
+                if *residual < 100.0 {
+                    format!("{residual:.2}")
+                } else {
+                    format!("{residual:.1e}")
+                }
             ),
             Self::EnergyUnbalanced { step, residual: None } => {
-                write!(f, "unstable: at step {step} the energy is beyond all numbers")
+                write!(f, "energy unbalanced: at step {step} the energy is beyond all numbers")
             }
         }
     }

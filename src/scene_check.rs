@@ -1,6 +1,7 @@
 //! What the types of a scene cannot express: ranges, and values that contradict each other.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use crate::discretisation::{Crossing, Discretisation, Properties};
 use crate::errata::Erratum;
@@ -12,6 +13,13 @@ pub const MAX_ELEMENTS: usize = 100_000_000;
 
 /// Steps that a run may have, 2⁵³: a double counts no further, and the time is steps × Δt.
 pub const MAX_STEPS: u64 = 1 << 53;
+
+/// Where the quantities must lie that a run multiplies with each other. Beyond, some product is too
+/// large for a double, or so small that it loses digits without a trace.
+///
+/// Within, other units give the same bits, if they differ by powers of two (case
+/// `extreme.scaling`).
+const SAFE: RangeInclusive<f64> = 1e-200..=1e200;
 
 /// What is wrong with a scene, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +76,9 @@ impl Scene {
         }
         in_range("courant", "the time step Δt = courant × Δx/c", mesh.time_step)?;
         in_range("primary", "A = Δt/Δm", mesh.primary.a)?;
+        let velocity = self.projectile.velocity;
+        let energy = mesh.primary.mass * velocity * velocity;
+        in_range("projectile.velocity", "node mass × velocity²", energy)?;
         if let Some(crossing) = &mesh.secondary {
             in_range("secondary", "A = Δt/Δm", crossing.fibre.a)?;
         }
@@ -230,7 +241,12 @@ fn check_properties(path: &str, fibre: &Properties<f64>) -> Result<(), Problem> 
     in_range(path, "Δx², which (5) and (6) take the root of,", fibre.spacing * fibre.spacing)?;
     in_range(path, "the wave speed c = √(modulus/density)", fibre.wave_speed)?;
     in_range(path, "the node mass Δm = density × area × Δx", fibre.mass)?;
-    in_range(path, "the stiffness modulus × area", fibre.stiffness)
+    in_range(path, "the stiffness modulus × area", fibre.stiffness)?;
+    in_range(
+        path,
+        "modulus × area/Δx, by which (7) makes tension of a stretch,",
+        fibre.stiffness / fibre.spacing,
+    )
 }
 
 /// Fails for a scene of another format.
@@ -250,6 +266,10 @@ fn finite(path: &str, value: f64) -> Result<(), Problem> {
 
 fn positive(path: &str, value: f64) -> Result<(), Problem> {
     finite(path, value)?;
+    if value.is_subnormal() {
+        let message = format!("is {value:?}, so small that a double keeps few digits of it");
+        return Err(Problem::new(path, message).help(UNITS));
+    }
     if value > 0.0 {
         return Ok(());
     }
@@ -264,11 +284,14 @@ fn positive_wanted(value: f64) -> String {
     format!("must be greater than 0, is {value:?}")
 }
 
+const UNITS: &str = "the values are too large or too small; are they in SI units?";
+
 /// A derived quantity that overflows or underflows would spoil the run without a trace.
 fn in_range(path: &str, quantity: &str, value: f64) -> Result<(), Problem> {
-    if value.is_normal() {
+    if SAFE.contains(&value) {
         return Ok(());
     }
-    Err(Problem::new(path, format!("{quantity} is {value:?}, outside the range of a double"))
-        .help("the values are too large or too small; are they in SI units?"))
+    let (least, most) = (SAFE.start(), SAFE.end());
+    let message = format!("{quantity} is {value:?}, not within {least:e} to {most:e}");
+    Err(Problem::new(path, message).help(UNITS))
 }

@@ -75,6 +75,10 @@ pub struct Accounts<S> {
     pub clamp_impulse: S,
     /// Work of the drive, J.
     pub drive_work: S,
+    /// Work of the first node on the rest of the fibres, whatever moves it, J.
+    pub fibre_work: S,
+    /// The most that it has been, J.
+    pub most_fibre_work: S,
 }
 
 /// Everything that one time step changes.
@@ -226,6 +230,8 @@ impl<S: Number> State<S> {
                 drive_impulse: nothing,
                 clamp_impulse: nothing,
                 drive_work: nothing,
+                fibre_work: nothing,
+                most_fibre_work: nothing,
             },
             work: Work::default(),
         };

@@ -12,7 +12,7 @@ use crossfibre::number::Vector;
 use crossfibre::outcome::Outcome;
 use crossfibre::place::{Fibre, Place};
 use crossfibre::result;
-use crossfibre::scene::{Material, Scene, Strain};
+use crossfibre::scene::{Law, Material, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 use crossfibre::trace::Traced;
 
@@ -116,6 +116,20 @@ fn the_place_that_is_named_is_where_a_number_was_spoilt() {
         assert_eq!((first.place, first.equation), (Place { step: 10, fibre, index }, equation));
         assert_eq!(march::run(&paper, &mut state, 3, |_| ()), expected);
     }
+}
+
+#[test]
+fn an_infinite_strain_ends_the_run_of_a_law_with_bounded_stress() {
+    let mut scene = coarse("single-400", 0.937, 31.3e-6);
+    // T → 2.93 GPa as ε → ∞.
+    scene.primary.material = Law::Exponential { a: -2.93e9, b: -20.0 }.into();
+    let paper = Corrected::<Incremental>::new(scene.corrections);
+    let mut state: State<f64> = State::at_impact(&scene, Wavefront::Ignored);
+    assert_eq!(march::run(&paper, &mut state, 1, |_| ()), Outcome::Completed);
+    state.primary.velocity[13].x = 1.9e173;
+    let place = Place { step: 2, fibre: Fibre::Primary, index: 12 };
+    let expected = Outcome::Diverged { place, equation: 6 };
+    assert_eq!(march::run(&paper, &mut state, 3, |_| ()), expected);
 }
 
 #[test]

@@ -10,6 +10,7 @@ pub mod exact_file;
 pub mod exact_plot;
 pub mod exact_summary;
 pub mod exit;
+pub mod extremes;
 pub mod figures;
 pub mod fronts;
 pub mod golden;

@@ -180,7 +180,7 @@ fn galilean() -> Vec<Check> {
 }
 
 /// The scene in units 2^-a m, 2^-b s, 2^-c kg.
-fn rescaled(scene: &Scene, a: i32, b: i32, c: i32) -> Scene {
+pub fn rescaled(scene: &Scene, a: i32, b: i32, c: i32) -> Scene {
     let power = |n: i32| 2.0_f64.powi(n);
     let modulus = power(c - a - 2 * b);
     let material = |m: &Material| Material::linear(m.instantaneous_modulus() * modulus);

@@ -19,6 +19,8 @@ pub mod support;
 
 use serde::{Deserialize, Serialize};
 
+use crate::extremes;
+
 /// One comparison with an oracle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
@@ -111,6 +113,7 @@ pub fn all() -> Vec<Case> {
         motion::CASES,
         materials::CASES,
         golden::CASES,
+        &extremes::cases(),
     ]
     .concat()
 }

@@ -9,8 +9,9 @@ use clap::Subcommand;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::cost::{costs, page};
+use crate::cost;
 use crate::exit::Exit;
+use crate::extremes;
 use crate::output::Destination;
 use crate::sweep::{Places, Point, Shard, sweep};
 use crate::{figures, stability};
@@ -28,8 +29,18 @@ enum Study {
     Figures(Sweep),
     /// Find the largest stable Courant numbers, and compare them with the linearised step.
     Stability(Sweep),
+    /// Run the extreme cases, and say what happens, whether it is right, and what the program says.
+    Extremes(Extremes),
     /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
     Cost(Page),
+}
+
+/// Where the page of the extreme cases goes.
+#[derive(clap::Args)]
+struct Extremes {
+    /// Folder for the page, in place of standard output
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
 }
 
 /// Where the page of a study goes.
@@ -71,7 +82,8 @@ pub fn run(args: Args) -> Result<Exit> {
                 draw,
             )
         }
-        Study::Cost(page) => cost(&page),
+        Study::Extremes(Extremes { out }) => write_extremes(out.as_deref()),
+        Study::Cost(page) => write_cost(&page),
         Study::Stability(sweep) => {
             let draw =
                 |points: &[_], found| stability::files(&stability::Results::new(points, found));
@@ -79,6 +91,17 @@ pub fn run(args: Args) -> Result<Exit> {
             study(sweep, stability::STUDY, &points, stability::tasks::compute, draw)
         }
     }
+}
+
+fn write_extremes(out: Option<&Path>) -> Result<Exit> {
+    let Some(folder) = out else {
+        write!(io::stdout().lock(), "{}", extremes::page())?;
+        return Ok(Exit::Well);
+    };
+    fs::create_dir_all(folder)
+        .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
+    write(&folder.join("README.md"), &extremes::page())?;
+    Ok(Exit::Well)
 }
 
 /// Computes the points of a study that are not stored, and if none is missing, draws.
@@ -120,11 +143,11 @@ where
     Ok(Exit::Well)
 }
 
-fn cost(args: &Page) -> Result<Exit> {
+fn write_cost(args: &Page) -> Result<Exit> {
     fs::create_dir_all(&args.out)
         .with_context(|| format!("{}: cannot be made a folder", args.out.display()))?;
-    let costs = costs(&env::current_exe()?)?;
-    let page = page(&costs);
+    let costs = cost::costs(&env::current_exe()?)?;
+    let page = cost::page(&costs);
     write(&args.out.join("README.md"), &page)?;
     let mut to = io::stdout().lock();
     write!(to, "{page}")?;

@@ -38,7 +38,7 @@ pub fn bound(bound: Bound) -> String {
 }
 
 /// A number of three or four figures: plain where that is short, else with an exponent.
-fn number(x: f64) -> String {
+pub fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 {
         "0".into()
@@ -59,7 +59,7 @@ fn head_room(check: &crate::cases::Check) -> String {
 }
 
 /// Text that may stand in a table: bars and line ends would break it, and angle brackets are HTML.
-fn cell(text: &str) -> String {
+pub fn cell(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
