@@ -14,7 +14,7 @@ pub const CASES: &[Case] = &[
         equations: &[2, 4, 6, 7, 20],
         run: || {
             let rows = ["uniform-4-0", "uniform-4-1.45", "uniform-4-50", "uniform-engineering-50"];
-            three_ways(&rows, [2e-7, 4e-7])
+            three_ways(&rows, 2e-7, WITHOUT_DAMPING)
         },
     },
     Case {
@@ -30,7 +30,7 @@ pub const CASES: &[Case] = &[
                 "law-Maxwell-exact-E-0.4-t-0.1-engineering-1.45",
                 "law-Eyring-literal-E-0-t-0.1-engineering-0",
             ];
-            three_ways(&rows, [4e-7, 6e-4])
+            three_ways(&rows, 4e-7, Bound::AtMost(6e-4))
         },
     },
     Case {
@@ -43,7 +43,7 @@ pub const CASES: &[Case] = &[
                 "projectile-along-0.01-without",
                 "projectile-across-0.0001-without",
             ];
-            three_ways(&rows, [4e-7, 4e-7])
+            three_ways(&rows, 4e-7, WITHOUT_DAMPING)
         },
     },
     Case {
@@ -53,6 +53,10 @@ pub const CASES: &[Case] = &[
         run: crossover,
     },
 ];
+
+/// Growth beyond the limit rises as a root there, and both searches end at 1e-7 of a common grid: they
+/// may end at the same number.
+const WITHOUT_DAMPING: Bound = Bound::Within(0.0, 4e-7);
 
 /// The row of an id.
 fn row(id: &str) -> Row {
@@ -65,7 +69,7 @@ fn limit(found: Option<f64>) -> f64 {
 }
 
 /// The worst of some rows: spectral radius against the formula, measured against spectral radius.
-fn three_ways(ids: &[&str], [by_hand, by_marching]: [f64; 2]) -> Vec<Check> {
+fn three_ways(ids: &[&str], by_hand: f64, by_marching: Bound) -> Vec<Check> {
     let found: Vec<_> = ids
         .iter()
         .map(|id| row(id))
@@ -87,7 +91,7 @@ fn three_ways(ids: &[&str], [by_hand, by_marching]: [f64; 2]) -> Vec<Check> {
             "spectral radius of the derivative of the step, by dual numbers",
             "greatest relative difference of the limits, bisected",
             worst(|(_, predicted, measured)| relative(*measured, *predicted)),
-            Bound::AtMost(by_marching),
+            by_marching,
             "growth of less than 2e-4 a step is not seen; beyond the limit it rises as a root without \
              damping, in proportion with it",
         ),
@@ -95,7 +99,8 @@ fn three_ways(ids: &[&str], [by_hand, by_marching]: [f64; 2]) -> Vec<Check> {
 }
 
 fn crossover() -> Vec<Check> {
-    let mut checks = three_ways(&["crossover-engineering-0.6-1-without-inertia"], [1e-6, 2e-6]);
+    let mut checks =
+        three_ways(&["crossover-engineering-0.6-1-without-inertia"], 1e-6, Bound::AtMost(2e-6));
     let corrected = EDITIONS[2].0;
     let rows = rows().into_iter().filter(|row| {
         row.group == Group::Crossover && row.cells.iter().any(|cell| cell == corrected)
