@@ -13,7 +13,7 @@ use crossfibre::place::Fibre;
 use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 
-use crate::closed_form::law;
+use crate::closed_form::{self, law};
 use exact::Exact;
 use table::OneFibre;
 use text::{mm, significant, write_note};
@@ -54,10 +54,11 @@ impl Summary<'_> {
         let Self { scene, result } = self;
         let mesh = Discretisation::<f64>::of(scene);
         let exact = Exact::of(scene, result.time);
-        let law = match law(scene) {
-            _ if scene.has_other_laws() => "see docs/materials.md",
-            Law::Logarithmic => "eqns (4) and (7), which are T = E ln λ; strain is ln λ",
-            Law::Engineering => "T = E (λ - 1); strain is λ - 1, not the paper's",
+        let law = match (closed_form::beyond(scene), law(scene)) {
+            (Some(_), Law::Logarithmic) => "other than eqn (7), along the path of (4)",
+            (Some(_), Law::Engineering) => "other than eqn (7); strain is λ - 1, not the paper's",
+            (None, Law::Logarithmic) => "eqns (4) and (7), which are T = E ln λ; strain is ln λ",
+            (None, Law::Engineering) => "T = E (λ - 1); strain is λ - 1, not the paper's",
         };
         writeln!(
             to,

@@ -19,8 +19,8 @@ pub(super) const GROUP: Group = Group {
 With the node's mass on the projectile (ledger `projectile-inertia`) nothing happens as its own mass goes to
 nothing: the node that it struck is left. A heavy one is slowed by the impulse that a projectile of constant
 velocity would need, and thrown back at the velocity at which it came, less what it leaves to the fibre. Beside
-the energy of a heavy projectile that of the fibres is nothing, and so was what was wrong with it, until
-the fibres were given a balance of their own.",
+the energy of a heavy projectile that of the fibres is nothing, and so is what may be wrong with it: the fibres
+have a balance of their own.",
 };
 
 /// The paper's fibre, engineering strain, struck by so many nodes' mass.

@@ -18,9 +18,9 @@ pub(super) const GROUP: Group = Group {
     rows,
     found: "\
 Powers of two round nothing, so another unit must give the same bits for as long as no product under- or
-overflows. The check of a scene used to accept every scene whose own quantities were normal numbers; then,
-over hundreds of powers of two, tensions and energies were subnormal and lost digits without a word. Now a
-scene is refused unless the quantities that a run multiplies lie within 1e-200 to 1e200.",
+overflows. That the quantities of a scene are normal numbers is not enough: over hundreds of powers of two
+tensions and energies would be subnormal and lose digits without a word. So a scene is refused unless the
+quantities that a run multiplies lie within 1e-200 to 1e200.",
 };
 
 /// A unit that changes: powers of length, time and mass, and how to say it.

@@ -20,9 +20,9 @@ pub(super) const GROUP: Group = Group {
 With engineering strain the plateau is Smith's at every velocity, to 114 % of strain. With (4) it is not:
 what (4) adds for a front of one step is not what it adds for a slow one (ledger `strain-path`), and from
 about half the wave speed on the run becomes unstable, the sooner the finer the mesh. Such a run may stop
-before its energy has grown beyond bounds. It used to be called completed as long as the balance was off
-by less than 100 %, with a strain that was wrong by up to 24 %. Now the limit is 10 %: engineering strain
-keeps well clear of it even on two elements, and (4) reaches it where its strain is wrong by as much.",
+before its energy has grown beyond bounds. A run has completed only if its balance is off by less than 10 %:
+engineering strain keeps well clear of that even on two elements, and (4) reaches it where its strain is wrong
+by as much.",
 };
 
 const SMITH: &str = "Smith's relation for the law that the equations amount to";

@@ -94,7 +94,34 @@ impl OneFibre<'_> {
             note: format!("at {}", mm((at as f64 + 0.5) * self.properties.spacing)),
             ..Row::default()
         });
+        rows.extend(self.slack());
+        rows.extend(self.pressed());
         rows
+    }
+
+    /// Elements that are strained and carry nothing: a law of tension only.
+    fn slack(&self) -> Option<Row> {
+        let pairs = self.result.strain.iter().zip(&self.result.tension);
+        let slack = pairs.filter(|&(&strain, &tension)| tension == 0.0 && strain != 0.0).count();
+        (slack > 0).then(|| Row {
+            what: "slack",
+            run: slack.to_string(),
+            note: format!("of {} elements", self.result.strain.len()),
+            ..Row::default()
+        })
+    }
+
+    /// Elements that push, by more than oscillations do.
+    fn pressed(&self) -> Option<Row> {
+        let tension = &self.result.tension;
+        let (most, _) = largest(tension);
+        let pushing = tension.iter().filter(|&&tension| tension < -0.01 * most).count();
+        (pushing > 0).then(|| Row {
+            what: "pressed together",
+            run: pushing.to_string(),
+            note: "elements, which no fibre bears: \"tension_only\" lets them go slack".into(),
+            ..Row::default()
+        })
     }
 
     fn plateau(&self, plateau: &Plateau) -> Row {
