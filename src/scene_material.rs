@@ -102,6 +102,15 @@ impl Material {
         of_law + usize::from(self.tension_only) + usize::from(self.artificial_viscosity.is_some())
     }
 
+    /// Whether its arms go through a step by forward differences.
+    pub fn is_literal(&self) -> bool {
+        matches!(
+            self.law,
+            Law::Viscoelastic { update: Update::Literal, .. }
+                | Law::Eyring { update: Update::Literal, .. }
+        )
+    }
+
     /// Whether it is eqn (7) and nothing else.
     pub fn is_of_the_page(&self) -> bool {
         matches!(self.law, Law::Linear { .. })

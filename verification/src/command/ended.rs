@@ -2,7 +2,7 @@
 
 use crossfibre::errata::Erratum;
 use crossfibre::outcome::Outcome;
-use crossfibre::scene::Scene;
+use crossfibre::scene::{Material, Scene};
 
 use crate::exit::{Exit, say};
 
@@ -15,12 +15,14 @@ pub fn told(scene: &Scene, outcome: &Outcome) -> Exit {
     Exit::RunEnded
 }
 
+fn materials(scene: &Scene) -> impl Iterator<Item = &Material> {
+    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
+    [Some(&scene.primary.material), secondary].into_iter().flatten()
+}
+
 /// The greatest stable Courant number of the fibres with artificial viscosity, at rest.
 fn viscous_limit(scene: &Scene) -> Option<f64> {
-    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
-    [Some(&scene.primary.material), secondary]
-        .into_iter()
-        .flatten()
+    materials(scene)
         .filter_map(|material| material.artificial_viscosity)
         .map(|viscosity| viscosity.greatest_courant_at_rest())
         .reduce(f64::min)
@@ -45,6 +47,16 @@ fn advice(scene: &Scene, outcome: &Outcome) -> String {
     if matches!(outcome, Outcome::NoWaves { .. }) {
         return "the law must keep a positive slope over the strains of the run: lower the velocity, \
                 change the coefficients, or set \"tension_only\" if it is in compression"
+            .into();
+    }
+    if materials(scene).any(Material::is_literal) {
+        return "forward differences of stiff arms are stable for short steps only: leave out \
+                \"update\": \"literal\", or lower the Courant number"
+            .into();
+    }
+    if materials(scene).any(|material| material.tension_only) {
+        return "elements that go slack and taut again make energy: lower the Courant number, well \
+                below 1/2, or add \"artificial_viscosity\""
             .into();
     }
     if let Some(most) = viscous_limit(scene).filter(|&most| scene.courant > most) {
