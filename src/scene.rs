@@ -48,13 +48,15 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// What the fibres are made of, the primary first.
+    pub fn materials(&self) -> impl Iterator<Item = &Material> {
+        let secondary = self.secondary.as_ref().map(|secondary| &secondary.material);
+        [Some(&self.primary.material), secondary].into_iter().flatten()
+    }
+
     /// Whether a fibre has another law than eqn (7).
     pub fn has_other_laws(&self) -> bool {
-        let secondary = self.secondary.as_ref().map(|secondary| &secondary.material);
-        [Some(&self.primary.material), secondary]
-            .into_iter()
-            .flatten()
-            .any(|material| !material.is_of_the_page())
+        self.materials().any(|material| !material.is_of_the_page())
     }
 }
 

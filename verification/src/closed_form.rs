@@ -11,10 +11,8 @@ use crossfibre::scene::{Law as Constitutive, Material, Primary, Scene, Secondary
 /// Why the closed forms of the crossover and the motion at any time do not hold for a scene, if so:
 /// they are those of eqn (7).
 pub fn beyond(scene: &Scene) -> Option<String> {
-    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
-    [Some(&scene.primary.material), secondary]
-        .into_iter()
-        .flatten()
+    scene
+        .materials()
         .find(|material| !matches!(material.law, Constitutive::Linear { .. }))
         .map(|material| format!("it is known for eqn (7) only, not for {}", name(material)))
 }

@@ -15,14 +15,10 @@ pub fn told(scene: &Scene, outcome: &Outcome) -> Exit {
     Exit::RunEnded
 }
 
-fn materials(scene: &Scene) -> impl Iterator<Item = &Material> {
-    let secondary = scene.secondary.as_ref().map(|secondary| &secondary.material);
-    [Some(&scene.primary.material), secondary].into_iter().flatten()
-}
-
 /// The greatest stable Courant number of the fibres with artificial viscosity, at rest.
 fn viscous_limit(scene: &Scene) -> Option<f64> {
-    materials(scene)
+    scene
+        .materials()
         .filter_map(|material| material.artificial_viscosity)
         .map(|viscosity| viscosity.greatest_courant_at_rest())
         .reduce(f64::min)
@@ -49,12 +45,12 @@ fn advice(scene: &Scene, outcome: &Outcome) -> String {
                 change the coefficients, or set \"tension_only\" if it is in compression"
             .into();
     }
-    if materials(scene).any(Material::is_literal) {
+    if scene.materials().any(Material::is_literal) {
         return "forward differences of stiff arms are stable for short steps only: leave out \
                 \"update\": \"literal\", or lower the Courant number"
             .into();
     }
-    if materials(scene).any(|material| material.tension_only) {
+    if scene.materials().any(|material| material.tension_only) {
         return "elements that go slack and taut again make energy: lower the Courant number, well \
                 below 1/2, or add \"artificial_viscosity\""
             .into();
