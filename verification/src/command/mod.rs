@@ -1,6 +1,7 @@
 //! The command line. Each subcommand is a file; each returns how the command ends, or an error that
 //! is told in a line and ends it with code 1.
 
+mod conform;
 mod ended;
 mod exact;
 mod plan;
@@ -43,6 +44,8 @@ enum Command {
     Verify(verify::Args),
     /// Run a study, a sweep of many runs, and draw what comes of it.
     Study(study::Args),
+    /// Judge another program: ask it, and hold its answers against the reference.
+    Conform(conform::Args),
     /// Compare the golden vectors with what this program computes, or store them anew.
     Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
@@ -70,6 +73,7 @@ fn run(command: Command) -> Result<Exit> {
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::Study(args) => study::run(args),
+        Command::Conform(args) => conform::run(args),
         Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
     }

@@ -10,6 +10,7 @@ use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use schemars::schema_for;
 
+use crate::conform::{self, protocol};
 use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
@@ -38,6 +39,10 @@ enum Format {
     Trace,
     /// What `plan --json` writes: crossfibre-plan/1
     Plan,
+    /// The questions and answers of `conform`: crossfibre-conformance/1
+    Conformance,
+    /// What `conform --json` writes: crossfibre-conformance-report/1
+    ConformanceReport,
     /// A file of golden vectors, written by `vectors --bless`: crossfibre-vectors/1
     Vectors,
 }
@@ -49,6 +54,8 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
         Format::Plan => schema_for!(Plan),
+        Format::Conformance => schema_for!(protocol::Message),
+        Format::ConformanceReport => schema_for!(conform::record::Report),
         Format::Vectors => schema_for!(VectorFile),
     };
     let mut out = Destination::of(args.output.as_deref())?.open()?;

@@ -17,6 +17,16 @@ pub enum Value {
     Vector(Vec<f64>),
 }
 
+impl Value {
+    /// The components; of a number, itself.
+    pub fn numbers(&self) -> Vec<f64> {
+        match self {
+            Self::Scalar(x) => vec![*x],
+            Self::Vector(v) => v.clone(),
+        }
+    }
+}
+
 impl From<&trace::Value<'_, f64>> for Value {
     fn from(value: &trace::Value<'_, f64>) -> Self {
         match *value {
