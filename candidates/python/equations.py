@@ -116,6 +116,6 @@ class Corrected(Printed):
 
 
 def edition(strain="incremental", corrections="all"):
-    """The equations that a scene, or a question about an equation, asks for; none for some of the corrections."""
+    """The equations with all corrections or with none; there is no edition with some."""
     classes = {"all": Corrected, "none": Printed}
     return classes[corrections](strain) if corrections in ("all", "none") else None

@@ -2,7 +2,8 @@
 """Two crossed fibres, one of them struck by a projectile: the whole scheme, in NumPy.
 
 The program speaks `crossfibre-conformance/1` (docs/conformance.md): a question a line, an answer a
-line. Read it from top to bottom: the equations, the fibres, a step, a run, the conversation.
+line. The equations are in equations.py; here are, from top to bottom, the fibres, a step, a run, the
+conversation.
 
 A state is a dict of the protocol's form with arrays for its lists. Row i of `position` is node i;
 element i lies between the nodes i and i + 1. A step makes a new state and leaves the old one alone.
@@ -22,6 +23,8 @@ from equations import edition, magnitude
 # ---- The fibres: what no step changes, and how they lie at rest.
 
 class Fibre:
+    """A fibre of a scene, at rest from `start` along an axis. `A` waits for the time step."""
+
     def __init__(self, made, start, axis):
         n, modulus = made["elements"], made["material"]["modulus"]
         self.spacing = made["length"] / n
@@ -198,6 +201,7 @@ class Unsupported(Exception):
 
 
 def edition_of(choice):
+    """The equations that a scene, or a question about an equation, asks for."""
     found = edition(choice.get("strain", "incremental"), choice.get("corrections", "all"))
     if found is None:
         raise Unsupported("all corrections or none")
