@@ -8,6 +8,7 @@ use clap::Parser;
 use crossfibre::scene_file;
 use crossfibre_faulty::answer::{Change, answer};
 use crossfibre_faulty::traced::trace;
+use crossfibre_verification::conform::protocol::Precision;
 use crossfibre_verification::faulty::catalogue::Wrong;
 use crossfibre_verification::faulty::rewritten::Style;
 
@@ -19,6 +20,9 @@ struct Args {
     /// A fault of --list, `expanded` or `factored` for other words, `none` for the reference itself
     #[arg(long, value_name = "NAME", default_value = "none", value_parser = change)]
     fault: Change,
+    /// Compute in f32
+    #[arg(long)]
+    single: bool,
     /// Write the trace of a scene instead
     #[arg(long, value_name = "SCENE")]
     trace: Option<PathBuf>,
@@ -46,8 +50,9 @@ fn main() -> Result<()> {
         let scene = scene_file::read_bytes(&text).map_err(|fault| anyhow!("{fault}"))?;
         trace(args.fault, &scene, &mut out)?;
     } else {
+        let number = if args.single { Precision::F32 } else { Precision::F64 };
         for line in io::stdin().lock().lines() {
-            writeln!(out, "{}", answer(&line?, args.fault))?;
+            writeln!(out, "{}", answer(&line?, args.fault, number))?;
             out.flush()?;
         }
     }

@@ -15,7 +15,7 @@ use crate::answer::{Change, With, with_edition};
 /// Writes the trace. A run that breaks off leaves the trace up to there.
 pub fn trace(change: Change, scene: &Scene, out: impl Write) -> io::Result<u64> {
     struct Trace<'a, W>(&'a Scene, W);
-    impl<W: Write> With for Trace<'_, W> {
+    impl<W: Write> With<f64> for Trace<'_, W> {
         type Out = io::Result<u64>;
         fn with(self, paper: &impl Paper<f64>) -> Self::Out {
             let Self(scene, out) = self;

@@ -126,7 +126,8 @@ fn write_smallest(to: Destination, report: &Report, mut session: Session) -> Res
         Ask::Run { scene } => Some((item.id, *scene)),
         _ => None,
     });
-    let is_wrong = |id: &str| report.items.iter().any(|i| i.verdict == Verdict::Wrong && i.id == id);
+    let is_wrong =
+        |id: &str| report.items.iter().any(|i| i.verdict == Verdict::Wrong && i.id == id);
     let Some((id, scene)) = runs.into_iter().find(|(id, _)| is_wrong(id)) else {
         say("no run is wrong: there is no scene to be made smaller");
         return Ok(());
@@ -138,6 +139,10 @@ fn write_smallest(to: Destination, report: &Report, mut session: Session) -> Res
     let elements = |scene: &Scene| {
         scene.primary.elements + scene.secondary.as_ref().map_or(0, |secondary| secondary.elements)
     };
-    say(&format!("{id} with {} elements in the place of {}", elements(&smallest), elements(&scene)));
+    say(&format!(
+        "{id} with {} elements in the place of {}",
+        elements(&smallest),
+        elements(&scene)
+    ));
     Ok(())
 }

@@ -133,7 +133,8 @@ fn converted<S: Number>(inputs: &BTreeMap<String, Vec<f64>>) -> Inputs<S> {
 }
 
 fn evaluated<S: Number>(paper: &impl Paper<S>, equation: u8, inputs: &Inputs<S>) -> Vec<S> {
-    by_name::evaluate(paper, equation, inputs).unwrap_or_else(|fault| panic!("({equation}): {fault}"))
+    by_name::evaluate(paper, equation, inputs)
+        .unwrap_or_else(|fault| panic!("({equation}): {fault}"))
 }
 
 /// What the output does, at most, if every input is off by half a unit in its last place, and half a
@@ -248,7 +249,8 @@ fn run_in<W: Number>(paper: &impl Both<W>, scene: &Scene, precision: Precision) 
         envelope: of_nodes,
     });
     if !scene.has_other_laws() {
-        let (value, size) = (energy(paper, scene, &state), energy_moved_by_one(&state));
+        // In doubles, as it is drawn from a candidate's numbers.
+        let (value, size) = (energy_of_record(scene, &state), energy_moved_by_one(&state));
         quantities.push(envelope.of(Quantity::Energy, vec![value], value.abs() + size));
     }
     Expected { quantities, counts: counts(&state), outcome, beyond }
@@ -272,7 +274,8 @@ fn place<S: Number>(state: &State<S>) -> Option<(usize, u64)> {
 }
 
 fn counts<S: Number>(state: &State<S>) -> Vec<(&'static str, u64)> {
-    let of_crossover = |(node, moves)| [("crossover node", node as u64), ("crossover moves", moves)];
+    let of_crossover =
+        |(node, moves)| [("crossover node", node as u64), ("crossover moves", moves)];
     let crossover = place(state).map(of_crossover);
     [("steps", state.step)].into_iter().chain(crossover.into_iter().flatten()).collect()
 }
@@ -281,6 +284,11 @@ fn counts<S: Number>(state: &State<S>) -> Vec<(&'static str, u64)> {
 pub fn energy<S: Number>(paper: &impl Paper<S>, scene: &Scene, state: &State<S>) -> f64 {
     let energy = state.balance(paper, scene.strain).energy;
     energy.kinetic + energy.stored + energy.projectile
+}
+
+/// The energy of what is written of a state.
+fn energy_of_record<S: Number>(scene: &Scene, state: &State<S>) -> f64 {
+    StateRecord::of(state).state(scene).map_or(f64::NAN, |state| energy_of(scene, &state))
 }
 
 /// The energy of a state that a candidate says that it has reached.
@@ -321,11 +329,15 @@ impl Envelope {
     }
 
     fn widen<W: Number>(&mut self, state: &State<W>, precise: &State<DoubleDouble>) {
-        for ((quantity, numbers), (_, precise)) in numbers(state).into_iter().zip(numbers(precise)) {
+        for ((quantity, numbers), (_, precise)) in numbers(state).into_iter().zip(numbers(precise))
+        {
             let difference = |(a, b): (&W, &DoubleDouble)| {
                 (DoubleDouble::from_f64(a.to_f64()) - *b).to_f64().abs()
             };
-            self.widen_by(quantity, numbers.iter().zip(&precise).map(difference).fold(0.0, f64::max));
+            self.widen_by(
+                quantity,
+                numbers.iter().zip(&precise).map(difference).fold(0.0, f64::max),
+            );
         }
     }
 

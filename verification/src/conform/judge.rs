@@ -4,15 +4,16 @@ use serde::Serialize;
 
 use super::expected::ExpectedQuantity;
 use super::protocol::Precision;
+use super::quantity::Quantity;
 use crate::bits::ulps;
 
 /// How many envelopes another order of operations is allowed.
 ///
-/// The rewrites of `conform/rewritten.rs` – every sum and product of the march in another order, (4)
-/// and (6) in other forms – stay within the third of the greater of these: case `conformance`.
-pub fn allowed(quantity: super::quantity::Quantity) -> f64 {
+/// What the rewrites of [`crate::faulty::rewritten`] need at most – every equation in other words – is
+/// measured by the cases `conformance.…`; they fail if this is over eight times that.
+pub fn allowed(quantity: Quantity) -> f64 {
     match quantity {
-        super::quantity::Quantity::Equation(_) => 4.0,
+        Quantity::Equation(_) => 4.0,
         _ => 8.0,
     }
 }
@@ -67,11 +68,8 @@ impl Judged {
         if self.is_rounding() || self.worst == 0.0 {
             return (self.worst, 0.0);
         }
-        let rounding = if self.worst.is_finite() {
-            self.worst / self.envelopes * self.allowed
-        } else {
-            0.0
-        };
+        let rounding =
+            if self.worst.is_finite() { self.worst / self.envelopes * self.allowed } else { 0.0 };
         (rounding, self.worst - rounding)
     }
 }
@@ -116,7 +114,8 @@ pub fn judge(
         }
     }
     if judged.worst > 0.0 {
-        judged.relative = judged.worst / size;
+        // Of zeros there is nothing to be relative to.
+        judged.relative = if size > 0.0 { judged.worst / size } else { 0.0 };
         judged.envelopes = judged.worst / envelope;
     }
     Ok(judged)
@@ -143,7 +142,6 @@ fn ulps_in(a: f64, b: f64, precision: Precision) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quantity::Quantity;
     use super::*;
     use crossfibre::place::Fibre;
 

@@ -9,7 +9,8 @@ use super::record::{ItemRecord, Report, Verdict};
 
 /// The text of the file.
 pub fn render(report: &Report) -> Result<String, quick_junit::SerializeError> {
-    let mut junit = quick_junit::Report::new(format!("crossfibre conform {}", report.candidate.name));
+    let mut junit =
+        quick_junit::Report::new(format!("crossfibre conform {}", report.candidate.name));
     for depth in Depth::ALL {
         let items: Vec<_> = report.items.iter().filter(|item| item.depth == depth).collect();
         if items.is_empty() {

@@ -56,9 +56,10 @@ pub fn all(seed: u64) -> Vec<Item> {
     items.extend(SCENES.iter().map(|(name, _)| run(name, shipped(name))));
     let random = &mut SplitMix::new(seed.wrapping_mul(2).wrapping_add(1));
     items.extend((1..=RUNS).map(|k| run(&format!("drawn-{k}"), draw::scene(random))));
-    items.extend((1..=RUNS_OF_OTHER_LAWS).map(|k| {
-        run(&format!("drawn-of-another-law-{k}"), draw::scene_of_another_law(random))
-    }));
+    items
+        .extend((1..=RUNS_OF_OTHER_LAWS).map(|k| {
+            run(&format!("drawn-of-another-law-{k}"), draw::scene_of_another_law(random))
+        }));
     items
 }
 
@@ -92,13 +93,14 @@ fn state_on_the_way(scene: &Scene, random: &mut SplitMix) -> State<f64> {
     impl WithPaper<f64> for March {
         type Out = State<f64>;
         fn with(self, paper: &impl Paper<f64>) -> State<f64> {
-            let Self(mut before, steps) = self;
-            for _ in 0..=steps {
-                let mut after = before.clone();
-                if march::step(paper, &mut after).is_err() || after.step > steps {
+            let Self(mut state, steps) = self;
+            let mut before = state.clone();
+            while state.step <= steps {
+                let mut after = state.clone();
+                if march::step(paper, &mut after).is_err() {
                     break;
                 }
-                before = after;
+                before = std::mem::replace(&mut state, after);
             }
             before
         }
@@ -191,8 +193,7 @@ mod tests {
     use super::*;
 
     fn hello(fields: &str) -> Hello {
-        let text =
-            format!(r#"{{"id":0,"format":"crossfibre-conformance/1","name":"a"{fields}}}"#);
+        let text = format!(r#"{{"id":0,"format":"crossfibre-conformance/1","name":"a"{fields}}}"#);
         serde_json::from_str(&text).unwrap()
     }
 

@@ -160,7 +160,8 @@ pub struct Rows(Vec<(Row, Vec<u64>)>);
 impl Rows {
     /// Adds what became of a quantity in a question.
     pub fn add(&mut self, depth: Depth, id: &str, judged: Judged) {
-        let known = self.0.iter().position(|(r, _)| r.depth == depth && r.quantity == judged.quantity);
+        let known =
+            self.0.iter().position(|(r, _)| r.depth == depth && r.quantity == judged.quantity);
         let index = known.unwrap_or_else(|| {
             self.0.push((Row::new(depth, &judged), Vec::new()));
             self.0.len() - 1

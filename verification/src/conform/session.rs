@@ -124,9 +124,6 @@ impl Session {
                 judged: vec![],
             };
         }
-        if let Some(error) = answer.error {
-            return broken(format!("it says: {}", shortened(&error)));
-        }
         let start = Instant::now();
         let expected = match ask {
             Ask::Hello { .. } => return broken("`hello` was asked before".into()),
@@ -142,11 +139,15 @@ impl Session {
         self.reference += start.elapsed();
         let expected = match expected {
             Ok(expected) => expected,
+            // The reference cannot answer either.
             Err(reason) => {
                 let (verdict, judged) = (Verdict::NotJudged, vec![]);
                 return Outcome { verdict, reason: Some(reason), judged };
             }
         };
+        if let Some(error) = answer.error {
+            return broken(format!("it says: {}", shortened(&error)));
+        }
         let missing = |what: &str| Err(format!("the answer has no `{what}`"));
         let outcome = match ask {
             Ask::Hello { .. } => missing("hello"),
@@ -257,7 +258,8 @@ impl Session {
     fn verdict(&self, expected: &Expected, differences: &[String], judged: Vec<Judged>) -> Outcome {
         let same = judged.iter().all(Judged::is_same) && differences.is_empty();
         // Wrong quantities, the worst last: their order is that of the step.
-        let wrong = judged.iter().find(|j| if self.exact { !j.is_same() } else { !j.is_rounding() });
+        let wrong =
+            judged.iter().find(|j| if self.exact { !j.is_same() } else { !j.is_rounding() });
         let reason = differences.first().cloned().or_else(|| wrong.map(describe));
         let (verdict, reason) = match (&expected.beyond, reason) {
             _ if same => (Verdict::Bits, None),

@@ -149,7 +149,10 @@ mod tests {
         assert!(shows(&small) && small.check().is_ok());
         assert_eq!((steps(&small), small.secondary.as_ref().map(|s| s.elements)), (5, Some(7)));
         assert_eq!(small.projectile.mass, None);
-        assert!(small.primary.elements < scene.primary.elements && tried < 200, "{small:?} {tried}");
+        assert!(
+            small.primary.elements < scene.primary.elements && tried < 200,
+            "{small:?} {tried}"
+        );
     }
 
     #[test]

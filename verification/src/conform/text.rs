@@ -15,7 +15,11 @@ impl Display for Text<'_> {
         let Self(report) = self;
         let candidate = &report.candidate;
         let version = candidate.version.as_deref().unwrap_or("");
-        writeln!(to, "{} {version}, held against crossfibre {}", candidate.name, report.crossfibre)?;
+        writeln!(
+            to,
+            "{} {version}, held against crossfibre {}",
+            candidate.name, report.crossfibre
+        )?;
         writeln!(
             to,
             "\n{:30} {:>8} {:>8} {:>7} {:>21} {:>9} {:>10}",
@@ -29,7 +33,11 @@ impl Display for Text<'_> {
             }
             line(to, row)?;
         }
-        writeln!(to, "{:30} (an envelope is what rounding explains; beyond those allowed: wrong)", "")?;
+        writeln!(
+            to,
+            "{:30} (an envelope is what rounding explains; beyond those allowed: wrong)",
+            ""
+        )?;
 
         let failures: Vec<_> = report.failures().collect();
         if !failures.is_empty() {
@@ -51,7 +59,13 @@ impl Display for Text<'_> {
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        writeln!(to, "\n{} questions, seed {}: {}", report.items.len(), report.seed, counts.join(", "))?;
+        writeln!(
+            to,
+            "\n{} questions, seed {}: {}",
+            report.items.len(),
+            report.seed,
+            counts.join(", ")
+        )?;
         writeln!(to, "{}", conclusion(report))
     }
 }

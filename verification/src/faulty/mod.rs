@@ -130,11 +130,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
     }
 
     #[inline(always)]
-    fn eqn_5_previous_length<const D: usize>(
-        &self,
-        ahead: Vector<S, D>,
-        here: Vector<S, D>,
-    ) -> S {
+    fn eqn_5_previous_length<const D: usize>(&self, ahead: Vector<S, D>, here: Vector<S, D>) -> S {
         match self.wrong {
             Wrong::LengthBeforeSign => self.paper.eqn_5_previous_length(ahead, -here),
             Wrong::LengthBeforeFlat => self.paper.eqn_5_previous_length(flat(ahead), flat(here)),
@@ -238,9 +234,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
         match self.wrong {
             Wrong::DriveVNoSlide => paper.eqn_13_secondary_v(S::one(), parallel, across, theta),
             Wrong::DriveVSign => paper.eqn_13_secondary_v(slide, parallel, -across, theta),
-            Wrong::DriveVBoth => {
-                paper.eqn_13_secondary_v(slide, parallel, slide * across, theta)
-            }
+            Wrong::DriveVBoth => paper.eqn_13_secondary_v(slide, parallel, slide * across, theta),
             _ => paper.eqn_13_secondary_v(slide, parallel, across, theta),
         }
     }

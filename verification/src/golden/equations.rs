@@ -6,9 +6,7 @@ use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::equations::EQUATIONS;
 use crossfibre::errata::Corrections;
 use crossfibre::number::Vector;
-use crossfibre::paper::{
-    Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush,
-};
+use crossfibre::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush};
 use crossfibre::trace::{Event, Traced};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
