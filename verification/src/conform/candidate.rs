@@ -10,7 +10,7 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// The longest line that is read, bytes.
@@ -72,6 +72,7 @@ struct Running {
     questions: SyncSender<String>,
     lines: Receiver<Result<Vec<u8>, Broken>>,
     last_words: Arc<Mutex<VecDeque<u8>>>,
+    listener: JoinHandle<()>,
 }
 
 impl Candidate {
@@ -93,11 +94,13 @@ impl Candidate {
     }
 
     fn asked(&mut self, question: String) -> Result<String, Broken> {
-        if self.running.is_none() {
+        let just_started = self.running.is_none();
+        if just_started {
             self.running = Some(Running::start(&self.command).map_err(Broken::Start)?);
         }
         let Some(running) = &mut self.running else { return Err(Broken::Closed) };
-        if let Ok(line) = running.lines.try_recv() {
+        // A program may say hello before it is asked to.
+        if !just_started && let Ok(line) = running.lines.try_recv() {
             return Err(match line {
                 Ok(line) => Broken::Unasked(shortened(&String::from_utf8_lossy(&line))),
                 Err(broken) => running.why(broken),
@@ -122,6 +125,11 @@ impl Candidate {
         String::from_utf8_lossy(&words.map(Vec::from).unwrap_or_default()).trim().to_owned()
     }
 
+    /// Whether it has been started and not ended since.
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
     /// Ends the program and all that it has started.
     fn stop(&mut self) {
         if let Some(running) = &mut self.running {
@@ -139,7 +147,7 @@ impl Candidate {
     pub fn finish(mut self) {
         if let Some(Running { mut child, questions, .. }) = self.running.take() {
             drop(questions);
-            if wait(&mut child, GRACE).is_none() {
+            if wait(&mut child).is_none() {
                 kill(&mut child);
             }
         }
@@ -172,14 +180,21 @@ impl Running {
         thread::spawn(move || read_lines(BufReader::new(stdout), &read));
         let last_words = Arc::new(Mutex::new(VecDeque::new()));
         let words = Arc::clone(&last_words);
-        thread::spawn(move || keep_the_end(stderr, &words));
-        Ok(Self { child, questions, lines, last_words })
+        let listener = thread::spawn(move || keep_the_end(stderr, &words));
+        Ok(Self { child, questions, lines, last_words, listener })
     }
 
     /// A program whose output has ended may have ended itself.
     fn why(&mut self, broken: Broken) -> Broken {
         match broken {
-            Broken::Closed => wait(&mut self.child, GRACE).map_or(Broken::Closed, Broken::Ended),
+            Broken::Closed => match wait(&mut self.child) {
+                Some(status) => {
+                    // Its last words may be on their way.
+                    until(|| self.listener.is_finished().then_some(()));
+                    Broken::Ended(status)
+                }
+                None => Broken::Closed,
+            },
             other => other,
         }
     }
@@ -189,14 +204,18 @@ impl Running {
     }
 }
 
-/// Waits for the end of a process, but not longer than this.
-fn wait(child: &mut Child, longest: Duration) -> Option<ExitStatus> {
+/// Waits for the end of a process, but not long.
+fn wait(child: &mut Child) -> Option<ExitStatus> {
+    until(|| child.try_wait().ok().flatten())
+}
+
+/// Tries until there is something, but not long.
+fn until<T>(mut there: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     loop {
-        match child.try_wait() {
-            Ok(Some(status)) => return Some(status),
-            Ok(None) if start.elapsed() < longest => thread::sleep(Duration::from_millis(2)),
-            _ => return None,
+        match there() {
+            None if start.elapsed() < GRACE => thread::sleep(Duration::from_millis(2)),
+            found => return found,
         }
     }
 }

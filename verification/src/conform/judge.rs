@@ -99,7 +99,9 @@ pub fn judge(
     };
     let size = values.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     for (i, (&expected, &found)) in values.iter().zip(found).enumerate() {
-        let found = rounded(found, precision);
+        // Energies are computed here.
+        let is_theirs = *quantity != Quantity::Energy;
+        let found = if is_theirs { rounded(found, precision) } else { found };
         let same = expected == found || (expected.is_nan() && found.is_nan());
         judged.same += usize::from(same);
         let apart = if same { 0 } else { ulps_in(expected, found, precision) };
@@ -110,7 +112,7 @@ pub fn judge(
         if difference > judged.worst {
             judged.worst = difference;
             (judged.expected, judged.found) = (expected, found);
-            judged.place = quantity.place(i);
+            judged.place = if values.len() > 1 { quantity.place(i) } else { String::new() };
         }
     }
     if judged.worst > 0.0 {

@@ -67,8 +67,7 @@ impl Session {
     pub fn start(command: &[OsString], options: &Options) -> Result<Self> {
         let mut candidate = Candidate::new(command.to_vec(), options.timeout);
         let program = command.first().map(|p| p.to_string_lossy().into_owned()).unwrap_or_default();
-        let ask = Ask::Hello { format: FORMAT.into() };
-        let answer = match candidate.ask(text(&Question { id: 0, ask })?) {
+        let answer = match candidate.ask(text(&first_question())?) {
             Ok(line) => line,
             Err(broken) => bail!("{program}: to `hello`: {}", with_last_words(&broken, &candidate)),
         };
@@ -108,7 +107,7 @@ impl Session {
     /// Asks, and judges the answer.
     fn judge(&mut self, ask: &Ask) -> Outcome {
         if self.broken >= STARTS {
-            return broken(format!("not asked: the program broke {STARTS} times before"));
+            return broken(format!("not asked, since the program broke {STARTS} times"));
         }
         let answer = match self.answer(ask) {
             Ok(answer) => answer,
@@ -169,6 +168,11 @@ impl Session {
 
     /// One question, one answer with its id.
     fn answer(&mut self, ask: &Ask) -> Result<Answer, String> {
+        if !self.candidate.is_running() {
+            // It broke, and is started again: its first question is always the same.
+            let hello = text(&first_question()).map_err(|error| error.to_string())?;
+            self.candidate.ask(hello).map_err(|broken| format!("started again: {broken}"))?;
+        }
         let id = self.next_id;
         self.next_id += 1;
         let question = Question { id, ask: ask.clone() };
@@ -304,6 +308,10 @@ pub fn up_to(scene: &Scene, steps: u64, time_step: f64) -> Scene {
 
 fn broken(reason: String) -> Outcome {
     Outcome { verdict: Verdict::Broken, reason: Some(reason), judged: vec![] }
+}
+
+fn first_question() -> Question {
+    Question { id: 0, ask: Ask::Hello { format: FORMAT.into() } }
 }
 
 fn text(question: &Question) -> Result<String> {

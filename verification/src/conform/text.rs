@@ -20,31 +20,15 @@ impl Display for Text<'_> {
             "{} {version}, held against crossfibre {}",
             candidate.name, report.crossfibre
         )?;
-        writeln!(
-            to,
-            "\n{:30} {:>8} {:>8} {:>7} {:>21} {:>9} {:>10}",
-            "", "numbers", "bits", "", "ULP: half  99 %  most", "relative", "envelopes"
-        )?;
-        let mut depth = None;
-        for row in &report.quantities {
-            if depth != Some(row.depth) {
-                writeln!(to, "{}", row.depth.name())?;
-                depth = Some(row.depth);
-            }
-            line(to, row)?;
+        if !report.quantities.is_empty() {
+            table(to, &report.quantities)?;
         }
-        writeln!(
-            to,
-            "{:30} (an envelope is what rounding explains; beyond those allowed: wrong)",
-            ""
-        )?;
-
-        let failures: Vec<_> = report.failures().collect();
+        let failures = grouped(report);
         if !failures.is_empty() {
             writeln!(to)?;
         }
-        for failure in failures.iter().take(SHOWN) {
-            told(to, failure)?;
+        for (failure, count) in failures.iter().take(SHOWN) {
+            told(to, failure, *count)?;
         }
         if failures.len() > SHOWN {
             writeln!(to, "… and {} more", failures.len() - SHOWN)?;
@@ -68,6 +52,43 @@ impl Display for Text<'_> {
         )?;
         writeln!(to, "{}", conclusion(report))
     }
+}
+
+/// Failures of one reason after the other are one, with their count.
+fn grouped(report: &Report) -> Vec<(&ItemRecord, usize)> {
+    let mut groups: Vec<(&ItemRecord, usize)> = Vec::new();
+    for failure in report.failures() {
+        match groups.last_mut() {
+            Some((first, count)) if first.reason == failure.reason => *count += 1,
+            _ => groups.push((failure, 1)),
+        }
+    }
+    groups
+}
+
+fn table(to: &mut Formatter, rows: &[Row]) -> fmt::Result {
+    writeln!(
+        to,
+        "\n{:30} {:>8} {:>8} {:>7} {:>9} {:>5} {:>5} {:>9} {:>10}",
+        "", "", "equal", "", "ULP: half", "99 %", "", "relative", "envelopes"
+    )?;
+    writeln!(
+        to,
+        "{:30} {:>8} {:>8} {:>7} {:>9} {:>5} {:>5} {:>9} {:>10}",
+        "", "numbers", "bits", "", "below", "below", "most", "at most", "at most"
+    )?;
+    let mut depth = None;
+    for row in rows {
+        if depth != Some(row.depth) {
+            writeln!(to, "{}", row.depth.name())?;
+            depth = Some(row.depth);
+        }
+        line(to, row)?;
+    }
+    writeln!(
+        to,
+        "an envelope is what rounding explains; beyond 4 of an equation, 8 of others: wrong"
+    )
 }
 
 /// The sentence that answers the question.
@@ -116,12 +137,18 @@ fn envelopes(row: &Row) -> String {
 }
 
 fn ulps(count: u64) -> String {
-    if count < 100_000 { count.to_string() } else { format!("{:.0e}", count as f64) }
+    match count {
+        // What is not a number is no distance away.
+        u64::MAX => "NaN".into(),
+        100_000.. => format!("{:.0e}", count as f64),
+        _ => count.to_string(),
+    }
 }
 
-fn told(to: &mut Formatter, failure: &ItemRecord) -> fmt::Result {
+fn told(to: &mut Formatter, failure: &ItemRecord, count: usize) -> fmt::Result {
     let reason = failure.reason.as_deref().unwrap_or("");
-    writeln!(to, "{:6} {}: {reason}", failure.verdict.name(), failure.id)?;
+    let more = if count > 1 { format!(" and {} more", count - 1) } else { String::new() };
+    writeln!(to, "{:6} {}{more}: {reason}", failure.verdict.name(), failure.id)?;
     match failure.departs_at_step {
         Some(step) => writeln!(to, "       wrong from step {step} on"),
         None => Ok(()),
