@@ -10,6 +10,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use cli_support::{Ended, assert_snapshot, crossfibre};
+use crossfibre_verification::conform::protocol::Question;
+use crossfibre_verification::conform::questions;
 use crossfibre_verification::conform::record::Report;
 
 /// Judges a shell script, with few questions.
@@ -186,5 +188,59 @@ fn a_hostile_name_is_escaped() {
     for file in ["j.xml", "h.html"] {
         let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
         assert!(!text.contains("<script") && text.contains("&lt;script"), "{file}");
+    }
+}
+
+/// The workflow that others copy calls this command as it is.
+#[test]
+fn the_command_of_the_workflow_file_works() {
+    let folder = tempfile::tempdir().unwrap();
+    let workflow = include_str!("../../docs/workflows/conform.yml");
+    let (_, command) = workflow.split_once("/bin/crossfibre ").unwrap();
+    let (command, _) = command.split_once(" -- ./my-solver").unwrap();
+    let mut arguments: Vec<_> = command.split_whitespace().filter(|word| *word != "\\").collect();
+    assert_eq!(arguments[0], "conform");
+    let script = format!("{HELLO}while read q; do echo 0.1; done");
+    arguments.extend(["--", "sh", "-c", &script]);
+    let ended = crossfibre(folder.path(), &arguments);
+    assert_eq!(ended.code, 4, "{}", ended.stderr);
+    for report in ["conformance.xml", "conformance.html", "conformance.json"] {
+        assert!(folder.path().join(report).is_file(), "{report}");
+    }
+}
+
+/// Questions, and the answers of the protocol's page, are what the schema says.
+#[test]
+fn questions_and_the_answers_of_the_page_are_valid_by_the_schema() {
+    let schema = crossfibre(Path::new("."), &["schema", "conformance"]).stdout;
+    let mut schemas = boon::Schemas::new();
+    let mut compiler = boon::Compiler::new();
+    compiler.add_resource("conformance", serde_json::from_str(&schema).unwrap()).unwrap();
+    let id = compiler.compile("conformance", &mut schemas).unwrap();
+    let check = |message: serde_json::Value| {
+        if let Err(error) = schemas.validate(&message, id) {
+            panic!("{error:#}\n{message}");
+        }
+    };
+    for (id, item) in questions::all(1).into_iter().enumerate() {
+        let id = id as u64 + 1;
+        check(serde_json::to_value(Question { id, ask: item.ask }).unwrap());
+    }
+    let page = include_str!("../../docs/conformance.md");
+    let hello = page.split("## `hello`").nth(1).unwrap().split("```").nth(1).unwrap();
+    check(serde_json::from_str(hello.trim_start_matches("json")).unwrap());
+    for answer in [
+        r#"{"id":7,"skip":"no Eyring law"}"#,
+        r#"{"id":7,"error":"…"}"#,
+        r#"{"id":1,"out":847.9}"#,
+        r#"{"id":1,"out":[0.3,"-inf"]}"#,
+    ] {
+        check(serde_json::from_str(answer).unwrap());
+    }
+    for bad in [r#"{"out":0.3}"#, r#"{"id":1,"out":"0.3"}"#, r#"{"id":1,"ask":"walk"}"#] {
+        let bad: serde_json::Value = serde_json::from_str(bad).unwrap();
+        let valid = schemas.validate(&bad, id).is_ok();
+        // `ask` is unknown to an answer, and may be there.
+        assert_eq!(valid, bad.get("ask").is_some(), "{bad}");
     }
 }
