@@ -115,8 +115,8 @@ fn output_without_end_is_cut_off() {
 fn what_a_candidate_has_started_is_ended_with_it() {
     let folder = tempfile::tempdir().unwrap();
     let pid = folder.path().join("pid");
-    let script = format!("sleep 1000 & echo $! > {}; wait", pid.display());
-    assert_eq!(after_hello(&script).code, 4);
+    let script = format!("{HELLO}sleep 1000 & echo $! > {}; wait", pid.display());
+    assert_eq!(judged(&script, &["--timeout", "0.7"]).code, 4);
     let child = std::fs::read_to_string(pid).unwrap();
     let alive = || Path::new("/proc").join(child.trim()).exists();
     // Ended processes are cleared away by whoever inherits them, which may take a moment.
