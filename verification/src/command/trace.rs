@@ -127,8 +127,13 @@ struct Ran {
 impl March<'_> {
     fn run(&self, paper: &impl Paper<f64>, sink: &mut impl Sink<f64>) -> Ran {
         let mut seen = Seen::default();
+        // Where something matches, nobody asks why nothing does.
+        let mut matches = false;
         let traced = Traced::new(paper, |event: &Event<'_, f64>| {
-            seen.note(self.filter, event.place, event.equation);
+            if !matches {
+                matches = self.filter.keeps(event.place, event.equation);
+                seen.note(self.filter, event.place, event.equation);
+            }
             sink.event(event);
         });
         let mut state = State::at_impact(self.scene, Wavefront::Flagged);
