@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use crossfibre::place::Fibre;
 use crossfibre::scene::Scene;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A line of a trace.
 #[derive(Debug, PartialEq, Deserialize, JsonSchema)]
@@ -46,10 +46,13 @@ pub struct Registered {
     pub printed: String,
     /// How it is worked out; the last lines give the output.
     pub lines: Vec<Line>,
+    /// The same for a fibre with another law than (7), where the scene has one.
+    #[serde(default)]
+    pub lines_by_law: Option<Vec<Line>>,
 }
 
 /// One line of an equation: `name = expression`.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
     /// What the line gives.
@@ -72,7 +75,7 @@ pub struct Symbol {
 }
 
 /// One evaluation of one equation.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Event {
     /// The time step, from 1.
@@ -92,7 +95,7 @@ pub struct Event {
 }
 
 /// A number, or the components of a vector in the order x, y, z.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Value {
     /// One number.
@@ -102,17 +105,29 @@ pub enum Value {
 }
 
 /// A number, or the name of what JSON has no number for.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Number {
     /// The shortest decimal that reads back to the same bits.
     Finite(f64),
+    /// A number of the library's double-double march.
+    Sum(Sum),
     /// Not a finite number.
     Other(NotFinite),
 }
 
+/// A number of 32 digits: the sum of two doubles.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sum {
+    /// The double nearest to the sum.
+    pub hi: f64,
+    /// What is left.
+    pub lo: f64,
+}
+
 /// What is not a finite number.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum NotFinite {
     /// Infinity.
     #[serde(rename = "inf")]

@@ -10,6 +10,7 @@ use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use schemars::schema_for;
 
+use crate::diff::record::Record;
 use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
@@ -36,6 +37,8 @@ enum Format {
     Exact,
     /// A line of what `trace` writes: crossfibre-trace/1
     Trace,
+    /// What `diff --json` writes: crossfibre-diff/1
+    Diff,
     /// What `plan --json` writes: crossfibre-plan/1
     Plan,
     /// A file of golden vectors, written by `vectors --bless`: crossfibre-vectors/1
@@ -48,6 +51,7 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Result => schema_for!(RunResult),
         Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
+        Format::Diff => schema_for!(Record),
         Format::Plan => schema_for!(Plan),
         Format::Vectors => schema_for!(VectorFile),
     };
