@@ -117,13 +117,27 @@ pub enum Number {
 }
 
 /// A number of 32 digits: the sum of two doubles.
+///
+/// It is read from an object alone: a structure could be read from a vector of two numbers, too.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "BTreeMap<String, f64>")]
+#[schemars(!try_from, deny_unknown_fields)]
 pub struct Sum {
     /// The double nearest to the sum.
     pub hi: f64,
     /// What is left.
     pub lo: f64,
+}
+
+impl TryFrom<BTreeMap<String, f64>> for Sum {
+    type Error = &'static str;
+
+    fn try_from(parts: BTreeMap<String, f64>) -> Result<Self, Self::Error> {
+        match (parts.get("hi"), parts.get("lo"), parts.len()) {
+            (Some(&hi), Some(&lo), 2) => Ok(Self { hi, lo }),
+            _ => Err("a sum of two doubles has `hi` and `lo`"),
+        }
+    }
 }
 
 /// What is not a finite number.
@@ -143,6 +157,19 @@ pub enum NotFinite {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_vector_of_two_is_a_vector_and_a_sum_of_two_doubles_is_a_number() {
+        let value = |text| serde_json::from_str::<Value>(text);
+        let vector = [Number::Finite(0.3), Number::Finite(0.7)];
+        assert_eq!(value("[0.3,0.7]").unwrap(), Value::Vector(vector.into()));
+        let sum = Number::Sum(Sum { hi: 0.3, lo: 1.7e-18 });
+        assert_eq!(value(r#"{"hi":0.3,"lo":1.7e-18}"#).unwrap(), Value::Scalar(sum));
+        assert_eq!(serde_json::to_string(&sum).unwrap(), r#"{"hi":0.3,"lo":1.7e-18}"#);
+        for bad in ["[[0.3,0.7]]", r#"{"hi":0.3}"#, r#"{"hi":0.3,"lo":0.1,"mid":0.2}"#] {
+            assert!(value(bad).is_err(), "{bad}");
+        }
+    }
 
     #[test]
     fn an_event_with_something_more_or_something_less_is_none() {

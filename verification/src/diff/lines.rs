@@ -8,7 +8,7 @@ use memchr::memchr;
 /// What is asked of the file at a time, at first.
 const BUFFER: usize = 1 << 18;
 
-/// A line that is longer than it may be.
+/// Why there is no line.
 #[derive(Debug)]
 pub enum Trouble {
     /// The file cannot be read.
@@ -44,6 +44,7 @@ impl<R: Read> Lines<R> {
             }
             looked_through = unread.len();
             if looked_through > limit {
+                self.number += 1;
                 return Err(Trouble::TooLong);
             }
             if self.fill().map_err(Trouble::Io)? == 0 {
@@ -87,7 +88,7 @@ impl<R: Read> Lines<R> {
         &self.buffer[self.line.clone()]
     }
 
-    /// Its number, from 1; 0 before the first.
+    /// Its number, from 1, of a line that is too long as well.
     pub fn number(&self) -> u64 {
         self.number
     }

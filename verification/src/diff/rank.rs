@@ -1,7 +1,5 @@
 //! The order of the events of a trace.
 
-use std::fmt::{self, Display, Formatter};
-
 use crossfibre::place::{Fibre, Place};
 
 /// Which evaluation an event is of: what two traces are aligned by.
@@ -11,14 +9,6 @@ pub struct At {
     pub place: Place,
     /// The number of the equation on the page.
     pub equation: u8,
-}
-
-impl Display for At {
-    fn fmt(&self, to: &mut Formatter) -> fmt::Result {
-        let Self { place: Place { step, fibre, index }, equation } = self;
-        let of = if (4..=7).contains(equation) { "element" } else { "node" };
-        write!(to, "eqn ({equation}), step {step}, {} {of} {index}", fibre.name())
-    }
 }
 
 /// Where in the paper's order an evaluation stands. In a trace ranks rise strictly, so no evaluation

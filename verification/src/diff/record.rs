@@ -1,5 +1,7 @@
 //! The record of a comparison of two traces, format `crossfibre-diff/1`.
 
+use std::fmt::{self, Display, Formatter};
+
 use crossfibre::place::Fibre;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -183,5 +185,20 @@ impl From<&Event> for Evaluation {
     fn from(event: &Event) -> Self {
         let Event { step, fibre, index, ref eq, .. } = *event;
         Self { step, fibre, index, eq: eq.clone() }
+    }
+}
+
+impl Evaluation {
+    /// Step, fibre, node or element in words.
+    pub fn place(&self) -> String {
+        let Self { step, fibre, index, eq } = self;
+        let of = if matches!(eq.as_str(), "4" | "5" | "6" | "7") { "element" } else { "node" };
+        format!("step {step}, {} {of} {index}", fibre.name())
+    }
+}
+
+impl Display for Evaluation {
+    fn fmt(&self, to: &mut Formatter) -> fmt::Result {
+        write!(to, "eqn ({}), {}", self.eq, self.place())
     }
 }

@@ -10,6 +10,7 @@ use crossfibre::trace_file::Filter;
 use super::header;
 use super::lines::{Lines, Trouble};
 use super::rank::{At, Rank};
+use super::record::Evaluation;
 use super::scan::{Quantities, head};
 use crate::trace_line::{Event, Header};
 
@@ -123,8 +124,9 @@ impl Stream {
             Some(found) => found,
             None => self.rewrite()?,
         };
-        let rank = Rank::of(at, self.both_at_impact)
-            .ok_or_else(|| self.wrong(&format!("{} has no place in a step", at)))?;
+        let rank = Rank::of(at, self.both_at_impact).ok_or_else(|| {
+            self.wrong(&format!("{} has no place in a step", Evaluation::from(at)))
+        })?;
         if let Some((before, of)) = self.before
             && before >= rank
         {
@@ -133,7 +135,8 @@ impl Stream {
                 "{} {again}: it comes after {}\n  \
                  help: events stand in the order in which the paper evaluates them; \
                  docs/formats.md has the order",
-                at, of,
+                Evaluation::from(at),
+                Evaluation::from(of),
             )));
         }
         self.before = Some((rank, at));
@@ -209,7 +212,7 @@ fn advance(lines: &mut Lines<Box<dyn Read>>, name: &str, limit: usize, what: &st
         Trouble::Io(error) => Error::new(error).context(name.to_owned()),
         Trouble::TooLong => anyhow!(
             "{name}:{}: the line has more than {} MiB: no {what} of a trace is so long",
-            lines.number() + 1,
+            lines.number(),
             limit >> 20,
         ),
     })

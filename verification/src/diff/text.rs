@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use serde::Serialize;
 
 use super::record::{EquationTally, FirstDifference, Located, Record};
-use super::verdict::told;
+use super::verdict::MANY;
 use crate::trace_line::{Number, Value};
 
 /// Displays as the report.
@@ -40,8 +40,13 @@ impl Report<'_> {
             None => writeln!(to, "\nNo event before it."),
             Some(last) => writeln!(
                 to,
-                "\n{events} events agree before it, the last: {} (line {} of A, {} of B)",
-                told(&last.evaluation),
+                "\n{} before it, the last: {} (line {} of A, {} of B)",
+                if events == 1 {
+                    "1 event agrees".into()
+                } else {
+                    format!("{events} events agree")
+                },
+                last.evaluation,
                 last.line_a,
                 last.line_b,
             ),
@@ -108,7 +113,11 @@ fn json(of: &impl Serialize) -> String {
 }
 
 fn ulp(of: Option<u64>) -> String {
-    of.map_or("–".into(), |ulp| ulp.to_string())
+    match of {
+        None => "–".into(),
+        Some(ulp) if ulp > MANY => format!("{:.1e}", ulp as f64),
+        Some(ulp) => ulp.to_string(),
+    }
 }
 
 fn relative(of: Option<Number>) -> String {

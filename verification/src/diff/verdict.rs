@@ -6,7 +6,7 @@ use super::record::{Evaluation, FirstDifference, Kind, QuantityDifference};
 use crate::trace_line::Number;
 
 /// ULPs beyond which a relative distance says more.
-const MANY: u64 = 1_000_000;
+pub const MANY: u64 = 1_000_000;
 
 /// Nothing differs.
 pub fn agreement(events: u64, within_tolerance: u64) -> String {
@@ -23,7 +23,6 @@ pub fn agreement(events: u64, within_tolerance: u64) -> String {
 pub fn first(first: &FirstDifference, header: &HeaderDifference) -> String {
     let FirstDifference { kind, evaluation, a, b, quantities } = first;
     let eq = &evaluation.eq;
-    let place = told(evaluation);
     let is_output = |q: &&QuantityDifference| q.name == "out";
     let said = match kind {
         Kind::Output => {
@@ -31,15 +30,11 @@ pub fn first(first: &FirstDifference, header: &HeaderDifference) -> String {
             let inputs: Vec<_> = quantities.iter().filter(|q| !is_output(q)).collect();
             if inputs.is_empty() {
                 let other_lines = header.equations.iter().any(|number| number.to_string() == *eq);
-                let edition = if other_lines {
-                    ", or only in what the headers tell: its lines differ"
-                } else {
-                    ""
-                };
-                format!("{place}, {output}, inputs equal: the fault is in ({eq}){edition}")
+                let edition = if other_lines { ", where the editions differ" } else { "" };
+                format!("{evaluation}, {output}, inputs equal: the fault is in ({eq}){edition}")
             } else {
                 format!(
-                    "{place}, {output}, inputs equal only within the tolerance ({}): \
+                    "{evaluation}, {output}, inputs equal only within the tolerance ({}): \
                      the fault is in ({eq}), or has grown from before it",
                     listed(&inputs)
                 )
@@ -48,7 +43,7 @@ pub fn first(first: &FirstDifference, header: &HeaderDifference) -> String {
         Kind::Inputs => {
             let inputs: Vec<_> = quantities.iter().filter(|q| !is_output(q) && !q.agrees).collect();
             format!(
-                "{place}, inputs already differ ({}): the fault is before ({eq})",
+                "{evaluation}, inputs already differ ({}): the fault is before ({eq})",
                 listed(&inputs)
             )
         }
@@ -68,30 +63,25 @@ pub fn first(first: &FirstDifference, header: &HeaderDifference) -> String {
             ];
             let kinds: Vec<_> = kinds.into_iter().flatten().collect();
             format!(
-                "{place}, not the same quantities ({}): the scenes or the editions differ",
+                "{evaluation}, not the same quantities ({}): the scenes or the editions differ",
                 kinds.join("; ")
             )
         }
         Kind::OnlyInA | Kind::OnlyInB => {
             let (lacks, next) = if *kind == Kind::OnlyInA { ("B", b) } else { ("A", a) };
-            let next =
-                next.as_ref().map(|next| told(&Evaluation::from(&next.event))).unwrap_or_default();
-            let at = place.strip_prefix(&format!("eqn ({eq}), ")).unwrap_or(&place);
-            format!("{lacks} has no eqn ({eq}) at {at}: what it has next is {next}")
+            let next = next.as_ref().map(|next| Evaluation::from(&next.event).to_string());
+            format!(
+                "{lacks} has no eqn ({eq}) at {}: what it has next is {}",
+                evaluation.place(),
+                next.unwrap_or_default(),
+            )
         }
         Kind::AEnds | Kind::BEnds => {
             let (ended, other) = if *kind == Kind::AEnds { ("A", "B") } else { ("B", "A") };
-            format!("{ended} ends; {other} goes on with {place}")
+            format!("{ended} ends; {other} goes on with {evaluation}")
         }
     };
     format!("first difference: {said}")
-}
-
-/// An evaluation in words.
-pub fn told(evaluation: &Evaluation) -> String {
-    let Evaluation { step, fibre, index, eq } = evaluation;
-    let of = if matches!(eq.as_str(), "4" | "5" | "6" | "7") { "element" } else { "node" };
-    format!("eqn ({eq}), step {step}, {} {of} {index}", fibre.name())
 }
 
 fn listed(quantities: &[&QuantityDifference]) -> String {
