@@ -59,7 +59,12 @@ pub fn run(args: Args) -> Result<Exit> {
     let read = comparison.run();
     let record = comparison.record();
     if let Err(error) = read {
-        bail!("{error:#}\n  until there: {}", record.verdict);
+        let until = match (&record.first_difference, record.agree_before) {
+            (Some(_), _) => format!("\n  until there: {}", record.verdict),
+            (None, 0) => String::new(),
+            (None, events) => format!("\n  until there: the events agree, {events} of them"),
+        };
+        bail!("{error:#}{until}");
     }
     let mut out = destination.open()?;
     if args.json {

@@ -10,7 +10,8 @@ use serde_json::Value as Json;
 
 use crate::trace_line::Header;
 
-const HELP: &str = "help: `crossfibre trace SCENE -o FILE` writes a trace";
+const HELP: &str =
+    "help: a trace has a JSON object on each line; `crossfibre trace SCENE -o FILE` writes one";
 
 /// In what the headers differ. That makes no disagreement, but may explain one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -164,7 +164,7 @@ pub struct EquationTally {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Worst {
-    /// The most steps from double to double of any quantity; null if it is NaN in one.
+    /// The most steps from double to double of any quantity; null if there is only NaN.
     pub ulp: Option<u64>,
     /// The greatest relative distance.
     pub relative: Number,
