@@ -3,17 +3,20 @@
 use std::collections::BTreeSet;
 use std::io::Cursor;
 
+use crossfibre::corrected::{Corrected, Incremental};
+use crossfibre::double_double::DoubleDouble;
 use crossfibre::march;
 use crossfibre::place::Fibre;
 use crossfibre::result::{WithPaper, with_paper};
 use crossfibre::scene::Scene;
 use crossfibre::state::{State, Wavefront};
 use crossfibre::trace::{Event, Traced};
+use crossfibre::trace_file::JsonLines;
 use proptest::prelude::*;
 
 use super::origin::origin;
 use super::*;
-use crate::cases::support::{SCENES, relative, shipped};
+use crate::cases::support::{SCENES, coarse_fig3, relative, shipped};
 use crate::trace_line::Number;
 
 /// Four steps of a coarse Fig. 3.
@@ -374,6 +377,30 @@ fn every_input_of_every_shipped_scene_has_an_origin() {
     let unknown: Vec<_> = all.iter().filter(|symbol| origin(symbol).is_none()).collect();
     assert!(unknown.is_empty(), "{unknown:?}");
     assert!(all.len() > 40, "{}", all.len());
+}
+
+/// What the library writes of a march in some type of number.
+fn traced_in<S: crossfibre::number::Number>(scene: &Scene, steps: u64) -> Vec<u8> {
+    let paper = Corrected::<Incremental>::new(scene.corrections);
+    let mut text = Vec::new();
+    let sink = JsonLines::start::<S>(&mut text, scene, &paper, Filter::default()).unwrap();
+    let traced = Traced::new(&paper, sink);
+    march::run(&traced, &mut State::<S>::at_impact(scene, Wavefront::Flagged), steps, |_| ());
+    traced.into_sink().finish().unwrap();
+    text
+}
+
+#[test]
+fn a_march_of_32_digits_differs_from_one_of_16_by_a_rounding() {
+    let scene = coarse_fig3();
+    let [doubles, sums] = [traced_in::<f64>(&scene, 5), traced_in::<DoubleDouble>(&scene, 5)];
+    let record = read(&sums, &sums, Options::default()).unwrap();
+    assert!(record.verdict.starts_with("the traces agree: "), "{}", record.verdict);
+    let record = read(&doubles, &sums, Options::default()).unwrap();
+    let first = record.first_difference.unwrap();
+    let Some(Number::Finite(relative)) = first.quantities[0].relative else { panic!("{first:?}") };
+    // The scene's doubles are the same; a few operations of half a unit, 1.1e-16, follow.
+    assert!(relative > 0.0 && relative < 5e-16, "{relative}: {first:?}");
 }
 
 /// What befalls the bytes of a trace.
