@@ -7,6 +7,7 @@ pub mod closed_form;
 pub mod command;
 pub mod conform;
 pub mod cost;
+pub mod diff;
 pub mod exact_file;
 pub mod exact_plot;
 pub mod exact_summary;

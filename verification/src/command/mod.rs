@@ -2,6 +2,7 @@
 //! is told in a line and ends it with code 1.
 
 mod conform;
+mod diff;
 mod ended;
 mod exact;
 mod plan;
@@ -36,6 +37,8 @@ enum Command {
     Run(run::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
     Trace(trace::Args),
+    /// Compare two traces: the first difference, where the fault lies, and all others counted.
+    Diff(diff::Args),
     /// Solve a scene without the scheme: every front followed to any time.
     Exact(exact::Args),
     /// Say what a run of a scene will do: mesh, time step, equations that run and that do not.
@@ -69,6 +72,7 @@ fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
         Command::Trace(args) => trace::run(args),
+        Command::Diff(args) => diff::run(args),
         Command::Exact(args) => exact::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),

@@ -11,6 +11,7 @@ use crossfibre::scene::Scene;
 use schemars::schema_for;
 
 use crate::conform::{self, protocol};
+use crate::diff::record::Record;
 use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
@@ -37,6 +38,8 @@ enum Format {
     Exact,
     /// A line of what `trace` writes: crossfibre-trace/1
     Trace,
+    /// What `diff --json` writes: crossfibre-diff/1
+    Diff,
     /// What `plan --json` writes: crossfibre-plan/1
     Plan,
     /// The questions and answers of `conform`: crossfibre-conformance/1
@@ -53,6 +56,7 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Result => schema_for!(RunResult),
         Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
+        Format::Diff => schema_for!(Record),
         Format::Plan => schema_for!(Plan),
         Format::Conformance => schema_for!(protocol::Message),
         Format::ConformanceReport => schema_for!(conform::record::Report),

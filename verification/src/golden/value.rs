@@ -49,6 +49,7 @@ impl From<trace_line::Value> for Value {
     fn from(value: trace_line::Value) -> Self {
         let number = |number| match number {
             Number::Finite(x) => x,
+            Number::Sum(sum) => sum.hi + sum.lo,
             Number::Other(NotFinite::Infinity) => f64::INFINITY,
             Number::Other(NotFinite::NegativeInfinity) => f64::NEG_INFINITY,
             Number::Other(NotFinite::NotANumber) => f64::NAN,
