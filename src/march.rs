@@ -339,6 +339,9 @@ impl<S: Number> Along<S> {
                 (i, 4)
             } else if !(fibre.tension[i] / length).is_finite() {
                 (i, 7)
+            } else if !fibre.pull[i].iter().all(|t| t.is_finite()) {
+                // An edition may have a (6) of its own.
+                (i, 6)
             } else {
                 continue;
             };

@@ -10,6 +10,7 @@ use crossfibre::errata::Corrections;
 use crossfibre::march;
 use crossfibre::number::Vector;
 use crossfibre::outcome::Outcome;
+use crossfibre::paper::{Paper, Printed};
 use crossfibre::place::{Fibre, Place};
 use crossfibre::result;
 use crossfibre::scene::{Law, Material, Scene, Strain};
@@ -153,6 +154,35 @@ fn a_vanished_element_ends_the_run() {
     state.projectile.axis = Vector::<f64, 2>::new(1.0, 0.0);
     state.projectile.velocity = 577.0;
     assert_eq!(march::run(&paper, &mut state, 10, |_| ()), Outcome::Completed);
+}
+
+/// An edition of a user's own, whose (6) gives no length from the seventh step on: the run ends there
+/// and says so, although the nodes themselves are where they should be.
+#[test]
+fn an_edition_whose_length_vanishes_ends_the_run_with_its_equation() {
+    #[derive(Default)]
+    struct NoLength(std::cell::Cell<u64>);
+    impl Paper<f64> for NoLength {
+        fn at(&self, place: Place) {
+            self.0.set(place.step);
+        }
+        fn eqn_6_length<const D: usize>(
+            &self,
+            x_ahead: Vector<f64, D>,
+            v_ahead: Vector<f64, D>,
+            x_here: Vector<f64, D>,
+            v_here: Vector<f64, D>,
+            time_step: f64,
+        ) -> f64 {
+            let length = Printed.eqn_6_length(x_ahead, v_ahead, x_here, v_here, time_step);
+            if self.0.get() < 7 { length } else { 0.0 }
+        }
+    }
+    let scene = shipped("single-400");
+    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let outcome = march::run(&NoLength::default(), &mut state, 20, |_| ());
+    let place = Place { step: 7, fibre: Fibre::Primary, index: 0 };
+    assert_eq!(outcome, Outcome::Diverged { place, equation: 6 });
 }
 
 #[test]
