@@ -69,6 +69,8 @@ struct Registered {
 pub struct JsonLines<W> {
     out: W,
     filter: Filter,
+    /// The line in the making: the output is given whole lines, not every bracket.
+    line: Vec<u8>,
     written: u64,
     failure: Option<io::Error>,
 }
@@ -92,8 +94,9 @@ impl<W: Write> JsonLines<W> {
             })
             .collect();
         let header = Header { format: FORMAT, scene, equations, symbols: SYMBOLS };
-        write_line(&mut out, &header)?;
-        Ok(Self { out, filter, written: 0, failure: None })
+        let mut line = Vec::new();
+        write_line(&mut out, &mut line, &header)?;
+        Ok(Self { out, filter, line, written: 0, failure: None })
     }
 
     /// The number of events written, or the first failure.
@@ -109,16 +112,18 @@ impl<S: Number, W: Write> Sink<S> for JsonLines<W> {
         if self.failure.is_some() || !self.filter.keeps(event.place, event.equation) {
             return;
         }
-        match write_line(&mut self.out, event) {
+        match write_line(&mut self.out, &mut self.line, event) {
             Ok(()) => self.written += 1,
             Err(failure) => self.failure = Some(failure),
         }
     }
 }
 
-fn write_line(out: &mut impl Write, line: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, line)?;
-    out.write_all(b"\n")
+fn write_line(out: &mut impl Write, line: &mut Vec<u8>, what: &impl Serialize) -> io::Result<()> {
+    line.clear();
+    serde_json::to_writer(&mut *line, what)?;
+    line.push(b'\n');
+    out.write_all(line)
 }
 
 impl<S: Number> Serialize for Event<'_, S> {

@@ -16,7 +16,7 @@ pub enum Exit {
     CheckFailed = 2,
     /// A run diverged or otherwise ended before its time.
     RunEnded = 3,
-    /// A candidate disagrees with the reference.
+    /// A candidate disagrees with the reference, or a trace with another.
     CandidateDisagrees = 4,
     /// A fault of this program.
     Fault = 70,
@@ -29,7 +29,7 @@ Exit codes:
    1  bad input or usage, or an output that cannot be written
    2  a check failed
    3  the run diverged or otherwise ended early (its result is still written)
-   4  a candidate disagrees with the reference
+   4  a candidate disagrees with the reference, or a trace with another
   70  a fault of this program";
 
 impl From<Exit> for ExitCode {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use crossfibre::place::Fibre;
 use crossfibre::scene::Scene;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A line of a trace.
 #[derive(Debug, PartialEq, Deserialize, JsonSchema)]
@@ -46,10 +46,13 @@ pub struct Registered {
     pub printed: String,
     /// How it is worked out; the last lines give the output.
     pub lines: Vec<Line>,
+    /// The same for a fibre with another law than (7), where the scene has one.
+    #[serde(default)]
+    pub lines_by_law: Option<Vec<Line>>,
 }
 
 /// One line of an equation: `name = expression`.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
     /// What the line gives.
@@ -72,7 +75,7 @@ pub struct Symbol {
 }
 
 /// One evaluation of one equation.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Event {
     /// The time step, from 1.
@@ -92,7 +95,7 @@ pub struct Event {
 }
 
 /// A number, or the components of a vector in the order x, y, z.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Value {
     /// One number.
@@ -102,17 +105,43 @@ pub enum Value {
 }
 
 /// A number, or the name of what JSON has no number for.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Number {
     /// The shortest decimal that reads back to the same bits.
     Finite(f64),
+    /// A number of the library's double-double march.
+    Sum(Sum),
     /// Not a finite number.
     Other(NotFinite),
 }
 
+/// A number of 32 digits: the sum of two doubles.
+///
+/// It is read from an object alone: a structure could be read from a vector of two numbers, too.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "BTreeMap<String, f64>")]
+#[schemars(!try_from, deny_unknown_fields)]
+pub struct Sum {
+    /// The double nearest to the sum.
+    pub hi: f64,
+    /// What is left.
+    pub lo: f64,
+}
+
+impl TryFrom<BTreeMap<String, f64>> for Sum {
+    type Error = &'static str;
+
+    fn try_from(parts: BTreeMap<String, f64>) -> Result<Self, Self::Error> {
+        match (parts.get("hi"), parts.get("lo"), parts.len()) {
+            (Some(&hi), Some(&lo), 2) => Ok(Self { hi, lo }),
+            _ => Err("a sum of two doubles has `hi` and `lo`"),
+        }
+    }
+}
+
 /// What is not a finite number.
-#[derive(Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum NotFinite {
     /// Infinity.
     #[serde(rename = "inf")]
@@ -128,6 +157,19 @@ pub enum NotFinite {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_vector_of_two_is_a_vector_and_a_sum_of_two_doubles_is_a_number() {
+        let value = |text| serde_json::from_str::<Value>(text);
+        let vector = [Number::Finite(0.3), Number::Finite(0.7)];
+        assert_eq!(value("[0.3,0.7]").unwrap(), Value::Vector(vector.into()));
+        let sum = Number::Sum(Sum { hi: 0.3, lo: 1.7e-18 });
+        assert_eq!(value(r#"{"hi":0.3,"lo":1.7e-18}"#).unwrap(), Value::Scalar(sum));
+        assert_eq!(serde_json::to_string(&sum).unwrap(), r#"{"hi":0.3,"lo":1.7e-18}"#);
+        for bad in ["[[0.3,0.7]]", r#"{"hi":0.3}"#, r#"{"hi":0.3,"lo":0.1,"mid":0.2}"#] {
+            assert!(value(bad).is_err(), "{bad}");
+        }
+    }
 
     #[test]
     fn an_event_with_something_more_or_something_less_is_none() {

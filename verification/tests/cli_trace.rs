@@ -62,7 +62,7 @@ fn lines_are_chosen_by_step_index_fibre_and_equation() {
 
 #[test]
 fn every_line_is_of_the_type_that_the_schema_describes() {
-    for scene in ["unequal", "both-at-origin"] {
+    for scene in ["unequal", "both-at-origin", "viscoelastic"] {
         let file = format!("{scene}.json");
         let ended = crossfibre(&scenes(), &["trace", &file, "--step", "1..60"]);
         let mut lines = ended.stdout.lines().map(|line| {

@@ -28,8 +28,8 @@ fn the_commands_run() {
     let folder = tempfile::tempdir().unwrap();
     let mut run = 0;
     for arguments in commands() {
-        if arguments == ["verify"] {
-            continue; // tests/verify.rs runs it
+        if matches!(arguments[0].as_str(), "verify" | "conform") {
+            continue; // tests/verify.rs runs the one; the other wants programs built beforehand
         }
         let arguments = arguments
             .iter()

@@ -4,6 +4,7 @@
 //! source gives the same bits, so a tolerance can be held against the error it was set for.
 
 mod axial;
+mod conformance;
 mod conservation;
 mod courant;
 pub mod crossover;
@@ -112,6 +113,7 @@ pub fn all() -> Vec<Case> {
         invariance::CASES,
         motion::CASES,
         materials::CASES,
+        conformance::CASES,
         golden::CASES,
         &extremes::cases(),
     ]

@@ -1,6 +1,8 @@
 //! The command line. Each subcommand is a file; each returns how the command ends, or an error that
 //! is told in a line and ends it with code 1.
 
+mod conform;
+mod diff;
 mod ended;
 mod exact;
 mod plan;
@@ -35,6 +37,8 @@ enum Command {
     Run(run::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
     Trace(trace::Args),
+    /// Compare two traces: the first difference, where the fault lies, and all others counted.
+    Diff(diff::Args),
     /// Solve a scene without the scheme: every front followed to any time.
     Exact(exact::Args),
     /// Say what a run of a scene will do: mesh, time step, equations that run and that do not.
@@ -43,6 +47,8 @@ enum Command {
     Verify(verify::Args),
     /// Run a study, a sweep of many runs, and draw what comes of it.
     Study(study::Args),
+    /// Judge another program: ask it, and hold its answers against the reference.
+    Conform(conform::Args),
     /// Compare the golden vectors with what this program computes, or store them anew.
     Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
@@ -66,10 +72,12 @@ fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
         Command::Trace(args) => trace::run(args),
+        Command::Diff(args) => diff::run(args),
         Command::Exact(args) => exact::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::Study(args) => study::run(args),
+        Command::Conform(args) => conform::run(args),
         Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
     }

@@ -10,6 +10,8 @@ use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use schemars::schema_for;
 
+use crate::conform::{self, protocol};
+use crate::diff::record::Record;
 use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
@@ -36,8 +38,14 @@ enum Format {
     Exact,
     /// A line of what `trace` writes: crossfibre-trace/1
     Trace,
+    /// What `diff --json` writes: crossfibre-diff/1
+    Diff,
     /// What `plan --json` writes: crossfibre-plan/1
     Plan,
+    /// The questions and answers of `conform`: crossfibre-conformance/1
+    Conformance,
+    /// What `conform --json` writes: crossfibre-conformance-report/1
+    ConformanceReport,
     /// A file of golden vectors, written by `vectors --bless`: crossfibre-vectors/1
     Vectors,
 }
@@ -48,7 +56,10 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Result => schema_for!(RunResult),
         Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
+        Format::Diff => schema_for!(Record),
         Format::Plan => schema_for!(Plan),
+        Format::Conformance => schema_for!(protocol::Message),
+        Format::ConformanceReport => schema_for!(conform::record::Report),
         Format::Vectors => schema_for!(VectorFile),
     };
     let mut out = Destination::of(args.output.as_deref())?.open()?;

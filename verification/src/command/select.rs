@@ -9,8 +9,32 @@ use crossfibre::place::{Fibre, Place};
 use crossfibre::plan::Plan;
 use crossfibre::trace_file::Filter;
 
+/// The choice, as arguments.
+#[derive(clap::Args)]
+pub struct Choice {
+    /// Only these steps, from 1, both ends included
+    #[arg(long, value_name = "N|A..B", value_parser = range::<u64>)]
+    step: Option<RangeInclusive<u64>>,
+    /// Only these nodes or elements, from 0 at the impact point (the crossover), both ends included
+    #[arg(long, alias = "node", value_name = "N|A..B", value_parser = range::<usize>)]
+    index: Option<RangeInclusive<usize>>,
+    /// Only this fibre: primary or secondary
+    #[arg(long, value_parser = fibre)]
+    fibre: Option<Fibre>,
+    /// Only these equations, such as 4,6,17
+    #[arg(long, value_name = "EQUATIONS", value_delimiter = ',', value_parser = equation)]
+    eq: Vec<u8>,
+}
+
+impl From<Choice> for Filter {
+    fn from(choice: Choice) -> Self {
+        let Choice { step, index, fibre, eq } = choice;
+        Self { steps: step, indices: index, fibre, equations: eq }
+    }
+}
+
 /// `n`, or `a..b` with both ends.
-pub fn range<N: FromStr + PartialOrd + Copy>(text: &str) -> Result<RangeInclusive<N>, String> {
+fn range<N: FromStr + PartialOrd + Copy>(text: &str) -> Result<RangeInclusive<N>, String> {
     let number = |text: &str| {
         text.trim().parse::<N>().map_err(|_| format!("`{text}` is not a whole number from 0 up"))
     };
@@ -25,7 +49,7 @@ pub fn range<N: FromStr + PartialOrd + Copy>(text: &str) -> Result<RangeInclusiv
 }
 
 /// The number of an equation of the page.
-pub fn equation(text: &str) -> Result<u8, String> {
+fn equation(text: &str) -> Result<u8, String> {
     match text.trim().trim_matches(['(', ')']).parse() {
         Ok(number @ 1..=20) => Ok(number),
         _ => Err("the paper has (1)–(20)".into()),
@@ -33,7 +57,7 @@ pub fn equation(text: &str) -> Result<u8, String> {
 }
 
 /// A fibre by its name.
-pub fn fibre(text: &str) -> Result<Fibre, String> {
+fn fibre(text: &str) -> Result<Fibre, String> {
     [Fibre::Primary, Fibre::Secondary]
         .into_iter()
         .find(|fibre| fibre.name() == text)

@@ -2,14 +2,12 @@
 
 use std::cell::Cell;
 use std::io::{self, Write};
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use crossfibre::march;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
-use crossfibre::place::Fibre;
 use crossfibre::plan::Plan;
 use crossfibre::result::{WithPaper, with_paper};
 use crossfibre::scene::Scene;
@@ -29,18 +27,8 @@ pub struct Args {
     /// The scene, `-` for standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Only these steps, from 1, both ends included
-    #[arg(long, value_name = "N|A..B", value_parser = select::range::<u64>)]
-    step: Option<RangeInclusive<u64>>,
-    /// Only these nodes or elements, from 0 at the impact point (the crossover), both ends included
-    #[arg(long, alias = "node", value_name = "N|A..B", value_parser = select::range::<usize>)]
-    index: Option<RangeInclusive<usize>>,
-    /// Only this fibre: primary or secondary
-    #[arg(long, value_parser = select::fibre)]
-    fibre: Option<Fibre>,
-    /// Only these equations, such as 4,6,17
-    #[arg(long, value_name = "EQUATIONS", value_delimiter = ',', value_parser = select::equation)]
-    eq: Vec<u8>,
+    #[command(flatten)]
+    choice: select::Choice,
     /// Work each evaluation out as by hand, line by line, instead of JSON lines
     #[arg(long)]
     worked: bool,
@@ -52,8 +40,7 @@ pub struct Args {
 pub fn run(args: Args) -> Result<Exit> {
     let destination = Destination::of(args.output.as_deref())?;
     let scene = scene::read(&args.scene)?;
-    let filter =
-        Filter { steps: args.step, indices: args.index, fibre: args.fibre, equations: args.eq };
+    let filter = Filter::from(args.choice);
     let plan = Plan::of(&scene);
     select::check(&filter, &plan)?;
     let last = filter.steps.as_ref().map_or(plan.steps, |steps| plan.steps.min(*steps.end()));
@@ -127,8 +114,13 @@ struct Ran {
 impl March<'_> {
     fn run(&self, paper: &impl Paper<f64>, sink: &mut impl Sink<f64>) -> Ran {
         let mut seen = Seen::default();
+        // Where something matches, nobody asks why nothing does.
+        let mut matches = false;
         let traced = Traced::new(paper, |event: &Event<'_, f64>| {
-            seen.note(self.filter, event.place, event.equation);
+            if !matches {
+                matches = self.filter.keeps(event.place, event.equation);
+                seen.note(self.filter, event.place, event.equation);
+            }
             sink.event(event);
         });
         let mut state = State::at_impact(self.scene, Wavefront::Flagged);

@@ -3,18 +3,7 @@
 use crossfibre::number::Vector;
 use crossfibre::paper::magnitude;
 
-/// splitmix64 (Steele, Lea and Flood, 2014). Ten lines that stay as they are; the numbers of a crate
-/// may be others in its next version.
-struct SplitMix(u64);
-
-impl SplitMix {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-}
+use crate::random::SplitMix;
 
 /// What may be special about a set of inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,14 +42,12 @@ pub struct Draw {
 impl Draw {
     /// The inputs with this seed: always the same.
     pub fn new(seed: u64, special: Option<Special>) -> Self {
-        Self { random: SplitMix(seed), special }
+        Self { random: SplitMix::new(seed), special }
     }
 
     /// A number between two, but for what is special.
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        // 53 bits: every double of the unit interval that is a multiple of 2⁻⁵³.
-        let unit = (self.random.next() >> 11) as f64 * (f64::EPSILON / 2.0);
-        let x = low + (high - low) * unit;
+        let x = self.random.between(low, high);
         match self.special {
             Some(Special::Zero) => 0.0,
             Some(Special::Tiny) => x * f64::MIN_POSITIVE,
@@ -190,15 +177,6 @@ impl Draw {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The first numbers of seed 1234567, as published with the reference implementation.
-    #[test]
-    fn the_generator_is_splitmix64() {
-        let mut random = SplitMix(1_234_567);
-        assert_eq!(random.next(), 6_457_827_717_110_365_317);
-        assert_eq!(random.next(), 3_203_168_211_198_807_973);
-        assert_eq!(random.next(), 9_817_491_932_198_370_423);
-    }
 
     #[test]
     fn awkward_numbers_stay_in_their_range_and_do_not_repeat() {

@@ -6,9 +6,7 @@ use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::equations::EQUATIONS;
 use crossfibre::errata::Corrections;
 use crossfibre::number::Vector;
-use crossfibre::paper::{
-    Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush,
-};
+use crossfibre::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush};
 use crossfibre::trace::{Event, Traced};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -43,44 +41,67 @@ const IN_TWO_DIMENSIONS_AND_THREE: [u8; 4] = [1, 2, 5, 6];
 
 /// Every equation in every edition.
 pub fn vectors() -> Vec<EquationVector> {
+    let awkward = (1..=AWKWARD).map(|k| (format!("awkward-{k}"), k, None));
+    let special = Special::ALL.map(|(name, special)| (name.to_owned(), 1, Some(special)));
+    of_sets(&awkward.chain(special).collect::<Vec<_>>())
+}
+
+/// Every equation in every edition, with as many sets of awkward inputs; another seed, others.
+pub fn drawn(seed: u64, sets: u64) -> Vec<EquationVector> {
+    let first = AWKWARD.wrapping_add(seed.wrapping_mul(sets));
+    let set = |k| (format!("drawn-{}", k + 1), first.wrapping_add(k + 1), None);
+    of_sets(&(0..sets).map(set).collect::<Vec<_>>())
+}
+
+/// The name of a set of inputs, its seed, and what is special about it.
+type Set = (String, u64, Option<Special>);
+
+fn of_sets(sets: &[Set]) -> Vec<EquationVector> {
     let mut vectors = Vec::new();
     for equation in EQUATIONS {
         let number = equation.number;
         if IN_TWO_DIMENSIONS_AND_THREE.contains(&number) {
-            editions::<2>(&mut vectors, number, "/2d");
-            editions::<3>(&mut vectors, number, "/3d");
+            editions::<2>(&mut vectors, number, "/2d", sets);
+            editions::<3>(&mut vectors, number, "/3d", sets);
         } else {
-            editions::<2>(&mut vectors, number, "");
+            editions::<2>(&mut vectors, number, "", sets);
         }
     }
     vectors
 }
 
-fn editions<const D: usize>(vectors: &mut Vec<EquationVector>, number: u8, dimension: &str) {
+fn editions<const D: usize>(
+    vectors: &mut Vec<EquationVector>,
+    number: u8,
+    dimension: &str,
+    sets: &[Set],
+) {
     let name = |edition: &str| format!("{number}{dimension}/{edition}");
-    let corrected = Corrected::<Incremental>::new(Corrections::ALL);
-    vectors.extend(sets::<D>(&Printed, number, &name("printed"), &[Flag::Printed]));
-    vectors.extend(sets::<D>(&corrected, number, &name("corrected"), &[Flag::Corrected]));
+    let mut of = |paper: &Corrected<_>, edition: &str, flags: &[Flag]| {
+        vectors.extend(evaluations::<D>(paper, number, &name(edition), flags, sets));
+    };
+    of(&Corrected::<Incremental>::new(Corrections::NONE), "printed", &[Flag::Printed]);
+    of(&Corrected::<Incremental>::new(Corrections::ALL), "corrected", &[Flag::Corrected]);
     if number == 4 {
         let engineering = Corrected::<Engineering>::new(Corrections::ALL);
         let flags = [Flag::Corrected, Flag::Engineering];
-        vectors.extend(sets::<D>(&engineering, number, &name("engineering"), &flags));
+        let name = name("engineering");
+        vectors.extend(evaluations::<D>(&engineering, number, &name, &flags, sets));
     }
 }
 
-/// The vectors of an equation in an edition. A special set that leaves the inputs of this equation
-/// as they were is left out.
-fn sets<const D: usize>(
+/// The vectors of an equation in an edition. A set that leaves the inputs of this equation as they
+/// were is left out.
+fn evaluations<const D: usize>(
     paper: &impl Paper<f64>,
     number: u8,
     name: &str,
     edition: &[Flag],
+    sets: &[Set],
 ) -> Vec<EquationVector> {
-    let awkward = (1..=AWKWARD).map(|k| (format!("awkward-{k}"), k, None));
-    let special = Special::ALL.map(|(name, special)| (name.to_owned(), 1, Some(special)));
     let mut vectors = Vec::<EquationVector>::new();
-    for (set, k, special) in awkward.chain(special) {
-        let draw = &mut Draw::new((u64::from(number) << 32) + k, special);
+    for &(ref set, k, special) in sets {
+        let draw = &mut Draw::new((u64::from(number) << 32).wrapping_add(k), special);
         let (inputs, out) = evaluated::<D>(paper, number, draw);
         let flag = if special.is_some() { Flag::SpecialValue } else { Flag::Awkward };
         let flags = [edition, &[flag]].concat();

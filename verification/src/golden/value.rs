@@ -17,6 +17,16 @@ pub enum Value {
     Vector(Vec<f64>),
 }
 
+impl Value {
+    /// The components; of a number, itself.
+    pub fn numbers(&self) -> Vec<f64> {
+        match self {
+            Self::Scalar(x) => vec![*x],
+            Self::Vector(v) => v.clone(),
+        }
+    }
+}
+
 impl From<&trace::Value<'_, f64>> for Value {
     fn from(value: &trace::Value<'_, f64>) -> Self {
         match *value {
@@ -39,6 +49,7 @@ impl From<trace_line::Value> for Value {
     fn from(value: trace_line::Value) -> Self {
         let number = |number| match number {
             Number::Finite(x) => x,
+            Number::Sum(sum) => sum.hi + sum.lo,
             Number::Other(NotFinite::Infinity) => f64::INFINITY,
             Number::Other(NotFinite::NegativeInfinity) => f64::NEG_INFINITY,
             Number::Other(NotFinite::NotANumber) => f64::NAN,

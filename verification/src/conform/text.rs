@@ -1,0 +1,171 @@
+//! A report for a terminal.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::record::{ItemRecord, Report, Row, Verdict};
+
+/// Failures that are shown one by one.
+const SHOWN: usize = 12;
+
+/// A report as text.
+pub struct Text<'r>(pub &'r Report);
+
+impl Display for Text<'_> {
+    fn fmt(&self, to: &mut Formatter) -> fmt::Result {
+        let Self(report) = self;
+        let candidate = &report.candidate;
+        let version = candidate.version.as_deref().unwrap_or("");
+        writeln!(
+            to,
+            "{} {version}, held against crossfibre {}",
+            candidate.name, report.crossfibre
+        )?;
+        if !report.quantities.is_empty() {
+            table(to, &report.quantities)?;
+        }
+        let failures = grouped(report);
+        if !failures.is_empty() {
+            writeln!(to)?;
+        }
+        for (failure, count) in failures.iter().take(SHOWN) {
+            told(to, failure, *count)?;
+        }
+        if failures.len() > SHOWN {
+            writeln!(to, "… and {} more", failures.len() - SHOWN)?;
+        }
+        let left_out = left_out(report);
+        if !left_out.is_empty() {
+            writeln!(to, "\nleft out: {}", left_out.join("; "))?;
+        }
+        let counts: Vec<_> = Verdict::ALL
+            .iter()
+            .map(|&verdict| (report.count(verdict), verdict.name()))
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}"))
+            .collect();
+        writeln!(
+            to,
+            "\n{} questions, seed {}: {}",
+            report.items.len(),
+            report.seed,
+            counts.join(", ")
+        )?;
+        writeln!(to, "{}", conclusion(report))
+    }
+}
+
+/// Failures of one reason after the other are one, with their count.
+fn grouped(report: &Report) -> Vec<(&ItemRecord, usize)> {
+    let mut groups: Vec<(&ItemRecord, usize)> = Vec::new();
+    for failure in report.failures() {
+        match groups.last_mut() {
+            Some((first, count)) if first.reason == failure.reason => *count += 1,
+            _ => groups.push((failure, 1)),
+        }
+    }
+    groups
+}
+
+fn table(to: &mut Formatter, rows: &[Row]) -> fmt::Result {
+    writeln!(
+        to,
+        "\n{:30} {:>8} {:>8} {:>7} {:>9} {:>5} {:>5} {:>9} {:>10}",
+        "", "", "equal", "", "ULP: half", "99 %", "", "relative", "envelopes"
+    )?;
+    writeln!(
+        to,
+        "{:30} {:>8} {:>8} {:>7} {:>9} {:>5} {:>5} {:>9} {:>10}",
+        "", "numbers", "bits", "", "below", "below", "most", "at most", "at most"
+    )?;
+    let mut depth = None;
+    for row in rows {
+        if depth != Some(row.depth) {
+            writeln!(to, "{}", row.depth.name())?;
+            depth = Some(row.depth);
+        }
+        line(to, row)?;
+    }
+    writeln!(
+        to,
+        "an envelope is what rounding explains; beyond 4 of an equation, 8 of others: wrong"
+    )
+}
+
+/// The sentence that answers the question.
+pub fn conclusion(report: &Report) -> String {
+    let judged = [Verdict::Bits, Verdict::Rounding].map(|verdict| report.count(verdict));
+    match (report.conforms, judged) {
+        (true, [_, 0]) => "conforms: equal to the bit in everything that was asked".into(),
+        (true, _) => "conforms: what differs is rounding".into(),
+        (false, [0, 0]) if report.failures().next().is_none() => {
+            "does not conform: nothing was asked that it supports".into()
+        }
+        (false, _) => "does not conform".into(),
+    }
+}
+
+fn line(to: &mut Formatter, row: &Row) -> fmt::Result {
+    let [half, most_of_all, most] = row.ulps.map(ulps);
+    let part = if row.same == row.values {
+        "all".into()
+    } else {
+        // Rounded down: all but one of many is not all.
+        format!("{:.1} %", (1000.0 * row.same as f64 / row.values as f64).floor() / 10.0)
+    };
+    let (mark, wrong) = if row.envelopes.0 > row.allowed { ("WRONG", true) } else { ("", false) };
+    write!(
+        to,
+        "  {:28} {:>8} {part:>8} {mark:>7} {half:>9} {most_of_all:>5} {most:>5}",
+        row.quantity, row.values
+    )?;
+    if row.same == row.values {
+        return writeln!(to);
+    }
+    writeln!(to, " {:>9.1e} {:>10}", row.relative.0, envelopes(row))?;
+    if wrong {
+        writeln!(to, "  {:28} most at {}", "", row.worst_at)?;
+    }
+    Ok(())
+}
+
+fn envelopes(row: &Row) -> String {
+    match row.envelopes.0 {
+        x if x.is_infinite() => "infinite".into(),
+        x if x < 100.0 => format!("{x:.2}"),
+        x => format!("{x:.1e}"),
+    }
+}
+
+fn ulps(count: u64) -> String {
+    match count {
+        // What is not a number is no distance away.
+        u64::MAX => "NaN".into(),
+        100_000.. => format!("{:.0e}", count as f64),
+        _ => count.to_string(),
+    }
+}
+
+fn told(to: &mut Formatter, failure: &ItemRecord, count: usize) -> fmt::Result {
+    let reason = failure.reason.as_deref().unwrap_or("");
+    let more = if count > 1 { format!(" and {} more", count - 1) } else { String::new() };
+    writeln!(to, "{:6} {}{more}: {reason}", failure.verdict.name(), failure.id)?;
+    match failure.departs_at_step {
+        Some(step) => writeln!(to, "       wrong from step {step} on"),
+        None => Ok(()),
+    }
+}
+
+/// Why questions were skipped or not judged, each reason with its count.
+pub fn left_out(report: &Report) -> Vec<String> {
+    let mut reasons: Vec<(String, usize)> = Vec::new();
+    for item in &report.items {
+        if matches!(item.verdict, Verdict::Skipped | Verdict::NotJudged) {
+            let reason = item.reason.clone().unwrap_or_default();
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((reason, 1)),
+            }
+        }
+    }
+    reasons.into_iter().map(|(reason, count)| format!("{count} × {reason}")).collect()
+}
