@@ -19,6 +19,7 @@ use crossfibre::state::{State as Reference, Wavefront};
 use crossfibre_simd::{Engine, Vectors};
 use serde_json::Value;
 
+#[cfg(target_arch = "x86_64")]
 mod floor;
 
 const ROUNDS: usize = 9;
@@ -82,6 +83,7 @@ fn main() -> ExitCode {
         println!("Without the C transcription, the engine alone: {reason}.\n");
     }
     let c_program = c_program.ok();
+    #[cfg(target_arch = "x86_64")]
     floor::print();
     match CASES.iter().try_for_each(|case| compare(case, c_program.as_deref())) {
         Ok(()) => ExitCode::SUCCESS,

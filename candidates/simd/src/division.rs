@@ -41,13 +41,13 @@
 use std::ops::RangeInclusive;
 
 /// Modulus × area, N, with which tensions are in range: 2⁻³⁰⁰ to 2³⁰⁰.
-pub(crate) const STIFFNESS: RangeInclusive<f64> = power_of_two(-300)..=power_of_two(300);
+pub const STIFFNESS: RangeInclusive<f64> = power_of_two(-300)..=power_of_two(300);
 
 /// The least ordinary length, m: 2⁻⁴⁷⁹.
 pub const LEAST_LENGTH: f64 = power_of_two(-479);
 
 /// Strains below this are ordinary.
-pub(crate) const MOST_STRAIN: f64 = power_of_two(60);
+pub const MOST_STRAIN: f64 = power_of_two(60);
 
 const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)

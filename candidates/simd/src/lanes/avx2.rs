@@ -75,7 +75,7 @@ impl Lanes for Avx2 {
     fn reciprocal(self, x: __m256d) -> __m256d {
         avx2!(_mm256_div_pd(_mm256_set1_pd(1.0), x))
     }
-    /// [`crate::division::divide`], lane by lane.
+    /// By the reciprocal: see [`crate::division`].
     #[inline(always)]
     fn divide(self, x: __m256d, y: __m256d, reciprocal: __m256d) -> __m256d {
         let near = self.mul(x, reciprocal);

@@ -75,7 +75,7 @@ impl Lanes for Avx512 {
     fn reciprocal(self, x: __m512d) -> __m512d {
         avx512!(_mm512_div_pd(_mm512_set1_pd(1.0), x))
     }
-    /// [`crate::division::divide`], lane by lane.
+    /// By the reciprocal: see [`crate::division`].
     #[inline(always)]
     fn divide(self, x: __m512d, y: __m512d, reciprocal: __m512d) -> __m512d {
         let near = self.mul(x, reciprocal);
