@@ -169,16 +169,16 @@ impl Engine {
     #[cold]
     fn find_divergence(&mut self) -> Outcome {
         let made = self.step() - self.start.step;
+        if let Some(march) = AnyMarch::of(self.vectors(), &self.constants, &self.start) {
+            self.march = march;
+        }
         // It was one of the last steps.
-        for whole in made.saturating_sub(TOGETHER)..made {
-            let vectors = self.vectors();
-            if let Some(march) = AnyMarch::of(vectors, &self.constants, &self.start) {
-                self.march = march;
-            }
-            with_march!(&mut self.march, march => march.run(whole));
+        with_march!(&mut self.march, march => march.run(made.saturating_sub(TOGETHER)));
+        for _ in 0..TOGETHER {
             if let Some(outcome) = literal::divergence(&self.constants, &self.state()) {
                 return outcome;
             }
+            with_march!(&mut self.march, march => march.run(1));
         }
         unreachable!("a number of the step was found not to be finite")
     }

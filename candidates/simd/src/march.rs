@@ -9,7 +9,7 @@ use crate::mesh::Mesh;
 use crate::state::{Crossover, State};
 
 /// How many steps a single fibre makes together.
-pub(crate) const TOGETHER: u64 = 16;
+pub(crate) const TOGETHER: u64 = 32;
 
 /// What the march carries from step to step.
 pub(crate) struct March<L: Lanes> {
