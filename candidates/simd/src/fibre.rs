@@ -205,18 +205,20 @@ impl<L: Lanes, const D: usize> Fibre<L, D> {
         steps: usize,
         mut drive: impl FnMut(&Self) -> [f64; D],
     ) -> bool {
-        let blocks = (self.visited + steps - 1).min(self.elements).div_ceil(L::COUNT);
-        let pieces = blocks.div_ceil(L::PIECE);
+        // The wavefront moves by an element a step at most.
+        let (visited, elements) = (self.visited, self.elements);
+        let blocks = |step: usize| (visited + step).min(elements).div_ceil(L::COUNT);
+        let pieces = blocks(steps - 1).div_ceil(L::PIECE);
         let (mut whole, mut noted) = (true, 0);
         for piece in 0..pieces {
             for step in 0..steps {
                 let start = (piece * L::PIECE).saturating_sub(step);
                 let end = if piece + 1 == pieces {
-                    blocks
+                    blocks(step).max(start)
                 } else {
-                    ((piece + 1) * L::PIECE).saturating_sub(step)
+                    (piece + 1) * L::PIECE - step
                 };
-                if start == 0 && end > 0 {
+                if start == 0 {
                     let velocity = drive(self);
                     self.drive(velocity);
                 }
@@ -245,6 +247,9 @@ impl<L: Lanes, const D: usize> Fibre<L, D> {
         blocks: Range<usize>,
         adjust: impl Fn(usize, &mut [L::V; D]),
     ) -> bool {
+        if blocks.is_empty() {
+            return true;
+        }
         let (lanes, constants, a) = (self.lanes, self.constants(), self.a);
         if blocks.start == 0 {
             self.blocks[0].position = self.first_position_in_all_lanes();
