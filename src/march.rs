@@ -38,17 +38,18 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
     let (step, time_step) = (state.step, state.time_step);
     let along = |fibre| Along { step, fibre, time_step };
     let drive = state.projectile.axis * state.projectile.velocity;
-    state.work.count(&state.primary);
 
     let mut crossover_stays = Ok(());
     match &mut state.crossover {
         None => {
+            state.work.count(&state.primary);
             along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
             state.push_projectile(paper)?;
         }
         // θ is undefined at the origin: the projectile drives both fibres (`theta-at-origin`), and
         // is slowed by both.
         Some(crossover) if crossover.at_origin() => {
+            state.work.count(&state.primary);
             state.work.count(&crossover.fibre);
             state.work.secondary += 1;
             along(Fibre::Primary).march(paper, &mut state.primary, drive, |_, _| ())?;
@@ -58,6 +59,13 @@ pub fn step<S: Number>(paper: &impl Paper<S>, state: &mut State<S>) -> Result<()
             state.push_projectile(paper)?;
         }
         Some(crossover) => {
+            // A crossover that has slid to the wavefront pulls at a node that is not to be visited yet:
+            // its wave enters the element ahead of that in this very step.
+            if crossover.fibre.tension[0] != S::zero() {
+                let primary = &mut state.primary;
+                primary.visited = primary.visited.max((crossover.node + 1).min(primary.elements()));
+            }
+            state.work.count(&state.primary);
             state.work.count(&crossover.fibre);
             state.work.secondary += 1;
             state.work.drives += 1;

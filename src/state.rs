@@ -265,14 +265,13 @@ impl<S: Number> State<S> {
 impl<S: Number> Crossover<S> {
     /// The node of the primary nearest to the secondary's first node; the lowest of equals.
     ///
-    /// Searched among the nodes that have moved and the next: before the front reaches `ix` neither
-    /// fibre has moved there, and afterwards the nearest node is not ahead of the front. At
-    /// α_s = 1 there is no slip, "no sliding when set to 1", and so no search.
+    /// Before the front reaches `ix` neither fibre has moved there. At α_s = 1 there is no slip, "no
+    /// sliding when set to 1", and so no search.
     pub fn nearest_node(&self, primary: &FibreState<S, 2>) -> usize {
         if primary.visited < self.node || self.slide_factor == S::one() {
             return self.node;
         }
-        let candidates = 1..=(primary.visited + 1).min(primary.elements());
+        let candidates = 1..=primary.elements();
         let first = (0, self.square_of_distance(primary, 0));
         let nearer = |nearest: (usize, S), node| {
             let square = self.square_of_distance(primary, node);

@@ -11,7 +11,7 @@ use crossfibre::march;
 use crossfibre::number::Vector;
 use crossfibre::outcome::{End, Outcome};
 use crossfibre::result::{self, RunResult};
-use crossfibre::scene::{Projectile, Scene};
+use crossfibre::scene::{Material, Primary, Projectile, Scene, Secondary, Strain};
 use crossfibre::state::{Crossover, FibreState, State, Wavefront};
 
 /// The nearest node by a search of the whole fibre, the lowest of equals.
@@ -99,6 +99,45 @@ fn of_equally_near_nodes_the_lowest_is_taken() {
     scene.secondary.as_mut().unwrap().at = midway;
     let state: State<f64> = State::at_impact(&scene, Wavefront::Flagged);
     assert_eq!(state.crossover.unwrap().node, 41);
+}
+
+/// At 8.6 km/s, beyond the wave speed, and a Courant number above 1 the crossover overtakes the
+/// wavefront. What it pulls at there is visited: the flags change no bit.
+#[test]
+fn a_crossover_that_overtakes_the_wavefront_pulls_at_what_is_ahead_of_it() {
+    let mut scene = shipped("sliding");
+    scene.primary = Primary {
+        length: 0.114_188,
+        elements: 27,
+        density: 1073.14,
+        area: 0.401e-6,
+        material: Material::linear(60.24e9),
+    };
+    scene.secondary = Some(Secondary {
+        at: 0.060_396,
+        length: 0.245_07,
+        elements: 32,
+        density: 2612.45,
+        area: 0.92e-6,
+        material: Material::linear(97.44e9),
+        slide_factor: 0.857,
+    });
+    scene.projectile.velocity = 8647.0;
+    (scene.courant, scene.duration) = (1.082, 17.6e-6);
+    scene.check().unwrap();
+    for strain in [Strain::Incremental, Strain::Engineering] {
+        scene.strain = strain;
+        let mut overtaken = false;
+        let (flagged, _) = run(&scene, Wavefront::Flagged, |state: &State<f64>| {
+            overtaken |= state.crossover.as_ref().unwrap().node >= state.primary.visited;
+        });
+        assert!(overtaken);
+        let (all, _) = run(&scene, Wavefront::Ignored, |_: &State<f64>| ());
+        assert_eq!(flagged.primary.position, all.primary.position);
+        assert_eq!(flagged.primary.strain, all.primary.strain);
+        let of = |state: &State<f64>| state.crossover.as_ref().unwrap().fibre.velocity.clone();
+        assert_eq!(of(&flagged), of(&all));
+    }
 }
 
 #[test]

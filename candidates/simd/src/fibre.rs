@@ -331,26 +331,6 @@ impl<L: Lanes, const D: usize> Fibre<L, D> {
         }
     }
 
-    /// Undoes a step of the element ahead of the wavefront, whose near node has moved: it has not been
-    /// visited, and only (5) sees its length.
-    #[cold]
-    pub fn unvisit<const ENGINEERING: bool>(&mut self, element: usize) {
-        let (lanes, lane) = (self.lanes, element % L::COUNT);
-        let length = magnitude(difference(self.position(element + 1), self.position(element)));
-        let set = |v: &mut L::V, x: f64| {
-            let mut array = lanes.array(*v);
-            array.as_mut()[lane] = x;
-            *v = lanes.vector(array);
-        };
-        let block = &mut self.blocks[Self::block_of(element)];
-        set(&mut block.strain, 0.0);
-        block.pull.iter_mut().for_each(|v| set(v, 0.0));
-        if !ENGINEERING {
-            set(&mut block.base, length);
-            block.base_reciprocal = lanes.reciprocal(block.base);
-        }
-    }
-
     /// Node 0 is driven and moves.
     #[inline(always)]
     fn drive(&mut self, velocity: [f64; D]) {

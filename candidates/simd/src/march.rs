@@ -203,10 +203,13 @@ impl<L: Lanes> March<L> {
         let Some(crossing) = &mut self.crossing else { return Ended::Made };
         self.step += 1;
         let ix = crossing.at.node;
+        // A crossover that has slid to the wavefront pulls at a node that is not to be visited yet.
+        if crossing.fibre.first_tension() != 0.0 {
+            primary.visited = primary.visited.max((ix + 1).min(primary.elements));
+        }
         let pushed = (ix <= primary.visited).then(|| crossing.push(primary));
         let (block, lane) = (Fibre::<L, 2>::block_of(ix - 1), (ix - 1) % L::COUNT);
         let drive = Self::projectile_drive(self.projectile.0);
-        let front = primary.visited;
         let mut whole = primary.step::<ENGINEERING>(
             drive,
             #[inline(always)]
@@ -222,10 +225,6 @@ impl<L: Lanes> March<L> {
                 }
             },
         );
-        // A crossover that has slid to the wavefront moves the node ahead of the last element visited.
-        if ix == front && front < primary.elements {
-            primary.unvisit::<ENGINEERING>(front);
-        }
         let [here, behind] = [primary.position(ix), primary.position(ix - 1)];
         let drive = crossover::drive(primary.velocity(ix), here, behind, crossing.slide_factor);
         whole &= crossing.fibre.step::<ENGINEERING>(
@@ -296,13 +295,13 @@ impl<L: Lanes> Crossing<L> {
 }
 
 impl<L: Lanes> Fibre<L, 2> {
-    /// The node nearest to a place, the lowest of equals, among those that have moved and the next;
-    /// `guess` is one of these. Blocks that have nothing nearer than it are passed by.
+    /// The node nearest to a place, the lowest of equals. Blocks that have nothing nearer than `guess`
+    /// are passed by.
     #[inline(always)]
     fn nearest_node(&self, place: [f64; 3], guess: usize) -> usize {
         let lanes = self.lanes;
         let square = |node| crossover::square_of_distance(place, self.position(node));
-        let last = (self.visited + 1).min(self.elements);
+        let last = self.elements;
         let mut best = (square(guess), guess);
         let consider = |node: usize, best: &mut (f64, usize)| {
             let square = square(node);

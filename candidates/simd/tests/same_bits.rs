@@ -136,10 +136,10 @@ fn drawn_scenes_have_the_bits_of_the_reference() {
     assert!(ended["Completed"] > 200 && ended["Diverged"] > 10 && moves > 100, "{ended:?} {moves}");
 }
 
-/// At 8.6 km/s and a Courant number above 1 the crossover overtakes the wavefront, and then moves the
-/// near node of an element that is not visited in that step.
+/// At 8.6 km/s and a Courant number above 1 the crossover overtakes the wavefront, and pulls at a node
+/// that would not be visited in that step.
 #[test]
-fn a_crossover_that_slides_to_the_wavefront_leaves_the_element_ahead_unvisited() {
+fn a_crossover_that_slides_to_the_wavefront_has_the_element_ahead_visited() {
     let text = r#"{
         "format": "crossfibre-scene/1", "title": "overtaken front",
         "primary": {
