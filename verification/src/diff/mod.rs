@@ -8,7 +8,7 @@ pub mod header;
 mod lines;
 mod number;
 mod origin;
-mod rank;
+pub mod rank;
 pub mod record;
 mod scan;
 mod stream;
