@@ -7,10 +7,12 @@ use anyhow::{Context, Result, anyhow};
 use clap::Parser;
 use crossfibre::scene_file;
 use crossfibre_faulty::answer::{Change, answer};
+use crossfibre_faulty::scramble::scrambled;
 use crossfibre_faulty::traced::trace;
 use crossfibre_verification::conform::protocol::Precision;
 use crossfibre_verification::faulty::catalogue::Wrong;
 use crossfibre_verification::faulty::rewritten::Style;
+use crossfibre_verification::random::SplitMix;
 
 /// A candidate that is wrong on demand: reads questions on standard input, answers on standard
 /// output.
@@ -23,6 +25,9 @@ struct Args {
     /// Compute in f32
     #[arg(long)]
     single: bool,
+    /// Lose, double and exchange pieces of the answers, others for another seed
+    #[arg(long, value_name = "SEED")]
+    scramble: Option<u64>,
     /// Write the trace of a scene instead
     #[arg(long, value_name = "SCENE")]
     trace: Option<PathBuf>,
@@ -51,8 +56,16 @@ fn main() -> Result<()> {
         trace(args.fault, &scene, &mut out)?;
     } else {
         let number = if args.single { Precision::F32 } else { Precision::F64 };
-        for line in io::stdin().lock().lines() {
-            writeln!(out, "{}", answer(&line?, args.fault, number))?;
+        let mut scrambling = args.scramble.map(SplitMix::new);
+        for (question, line) in io::stdin().lock().lines().enumerate() {
+            let mut line = answer(&line?, args.fault, number);
+            // But for `hello`, without which nothing would be asked.
+            if let Some(random) = &mut scrambling
+                && question > 0
+            {
+                line = scrambled(&line, random);
+            }
+            writeln!(out, "{line}")?;
             out.flush()?;
         }
     }

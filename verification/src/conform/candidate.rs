@@ -14,7 +14,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// The longest line that is read, bytes.
-pub const LONGEST: u64 = 64 << 20;
+pub const LONGEST: u64 = 16 << 20;
 
 /// Lines that a candidate may be ahead.
 const AHEAD: usize = 2;

@@ -3,16 +3,16 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::record::{ItemRecord, Report, Row, Verdict};
-use super::text::{conclusion, left_out};
+use super::text::{conclusion, left_out, ulps};
 
 const STYLE: &str = "
 :root { color-scheme: light dark; --line: #8888; --good: #1a7f37; --bad: #c0362c }
 @media (prefers-color-scheme: dark) { :root { --good: #57d27a; --bad: #ff8f85 } }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 84rem; margin: 2rem auto; padding: 0 1rem }
 div.wide { overflow-x: auto } table { border-collapse: collapse; font-size: 0.9rem }
-th, td { padding: 0.25rem 0.6rem; border-bottom: 1px solid var(--line); text-align: right }
+th, td { padding: 0.25rem 0.5rem; white-space: nowrap; border-bottom: 1px solid var(--line); text-align: right }
 th:first-child, td:first-child, td.text, th.text { text-align: left }
-.good { color: var(--good) } .bad { color: var(--bad) } code { overflow-wrap: anywhere }
+td.long { white-space: normal; min-width: 24rem } .good { color: var(--good) } .bad { color: var(--bad) } code { overflow-wrap: anywhere }
 ";
 
 /// The text of the file.
@@ -40,7 +40,7 @@ pub fn render(report: &Report) -> String {
                 p { "A rounding envelope is what the reference itself loses in this arithmetic against one "
                     "of 106 bits. Differences are from the reference, in units of the last place (ULP), "
                     "relative to the greatest number of the list, and in envelopes." }
-                div.wide { (quantities(&report.quantities)) }
+                div.wide { (quantities(&report.quantities, report.exact)) }
                 @if !failures.is_empty() {
                     h2 { "Failures" }
                     div.wide { (failed(&failures)) }
@@ -65,7 +65,7 @@ fn verdicts(report: &Report) -> Markup {
     }
 }
 
-fn quantities(rows: &[Row]) -> Markup {
+fn quantities(rows: &[Row], exact: bool) -> Markup {
     html! {
         table {
             tr {
@@ -75,11 +75,11 @@ fn quantities(rows: &[Row]) -> Markup {
                 th { "of it rounding" } th { "not rounding" } th.text { "most at" }
             }
             @for row in rows {
-                @let tone = if row.envelopes.0 > row.allowed { "bad" } else { "" };
+                @let tone = if row.is_wrong(exact) { "bad" } else { "" };
                 tr class=(tone) {
                     td { (row.quantity) } td.text { (row.depth.name()) } td { (row.questions) }
                     td { (row.values) } td { (row.same) }
-                    @for ulps in row.ulps { td { (ulps) } }
+                    @for count in row.ulps { td { (ulps(count)) } }
                     td { (short(row.relative.0)) } td { (short(row.envelopes.0)) } td { (row.allowed) }
                     td { (short(row.rounding.0)) } td { (short(row.not_rounding.0)) }
                     td.text { (row.worst_at) }
@@ -100,7 +100,7 @@ fn failed(failures: &[&ItemRecord]) -> Markup {
             @for item in failures {
                 tr {
                     td { (item.id) } td.text.bad { (item.verdict.name()) }
-                    td.text { (item.reason.as_deref().unwrap_or("")) }
+                    td.text.long { (item.reason.as_deref().unwrap_or("")) }
                     td { @if let Some(step) = item.departs_at_step { (step) } }
                 }
             }

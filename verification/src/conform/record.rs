@@ -202,6 +202,11 @@ impl Rows {
 }
 
 impl Row {
+    /// Whether it fails a candidate of which equal bits are demanded, or not.
+    pub fn is_wrong(&self, exact: bool) -> bool {
+        if exact { self.same < self.values } else { self.envelopes.0 > self.allowed }
+    }
+
     fn new(depth: Depth, judged: &Judged) -> Self {
         let zero = Real(0.0);
         Self {

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::protocol::Depth;
 use super::record::{ItemRecord, Report, Row, Verdict};
 
 /// Failures that are shown one by one.
@@ -21,7 +22,7 @@ impl Display for Text<'_> {
             candidate.name, report.crossfibre
         )?;
         if !report.quantities.is_empty() {
-            table(to, &report.quantities)?;
+            table(to, &report.quantities, report.exact)?;
         }
         let failures = grouped(report);
         if !failures.is_empty() {
@@ -66,7 +67,7 @@ fn grouped(report: &Report) -> Vec<(&ItemRecord, usize)> {
     groups
 }
 
-fn table(to: &mut Formatter, rows: &[Row]) -> fmt::Result {
+fn table(to: &mut Formatter, rows: &[Row], exact: bool) -> fmt::Result {
     writeln!(
         to,
         "\n{:30} {:>8} {:>8} {:>7} {:>9} {:>5} {:>5} {:>9} {:>10}",
@@ -83,7 +84,7 @@ fn table(to: &mut Formatter, rows: &[Row]) -> fmt::Result {
             writeln!(to, "{}", row.depth.name())?;
             depth = Some(row.depth);
         }
-        line(to, row)?;
+        line(to, row, exact)?;
     }
     writeln!(
         to,
@@ -100,11 +101,23 @@ pub fn conclusion(report: &Report) -> String {
         (false, [0, 0]) if report.failures().next().is_none() => {
             "does not conform: nothing was asked that it supports".into()
         }
-        (false, _) => "does not conform".into(),
+        (false, _) => format!("does not conform{}", nearest_to_the_cause(report)),
     }
 }
 
-fn line(to: &mut Formatter, row: &Row) -> fmt::Result {
+/// The wrong quantities of the depth nearest to a cause.
+fn nearest_to_the_cause(report: &Report) -> String {
+    let mut wrong = report.quantities.iter().filter(|row| row.is_wrong(report.exact)).peekable();
+    let Some(depth) = wrong.peek().map(|row| row.depth) else { return String::new() };
+    let names: Vec<_> =
+        wrong.filter(|row| row.depth == depth).map(|row| row.quantity.as_str()).collect();
+    match depth {
+        Depth::Equation => format!(": wrong in {}", names.join(", ")),
+        _ => format!(": first wrong at the depth of a {}, in {}", depth.name(), names.join(", ")),
+    }
+}
+
+fn line(to: &mut Formatter, row: &Row, exact: bool) -> fmt::Result {
     let [half, most_of_all, most] = row.ulps.map(ulps);
     let part = if row.same == row.values {
         "all".into()
@@ -112,7 +125,8 @@ fn line(to: &mut Formatter, row: &Row) -> fmt::Result {
         // Rounded down: all but one of many is not all.
         format!("{:.1} %", (1000.0 * row.same as f64 / row.values as f64).floor() / 10.0)
     };
-    let (mark, wrong) = if row.envelopes.0 > row.allowed { ("WRONG", true) } else { ("", false) };
+    let wrong = row.is_wrong(exact);
+    let mark = if wrong { "WRONG" } else { "" };
     write!(
         to,
         "  {:28} {:>8} {part:>8} {mark:>7} {half:>9} {most_of_all:>5} {most:>5}",
@@ -136,7 +150,8 @@ fn envelopes(row: &Row) -> String {
     }
 }
 
-fn ulps(count: u64) -> String {
+/// A distance in units of the last place, short.
+pub fn ulps(count: u64) -> String {
     match count {
         // What is not a number is no distance away.
         u64::MAX => "NaN".into(),
