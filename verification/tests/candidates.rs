@@ -9,8 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
+use crossfibre_verification::conform::interview::conform;
 use crossfibre_verification::conform::record::{Report, Verdict};
-use crossfibre_verification::conform::session::{Options, conform};
+use crossfibre_verification::conform::session::Options;
 
 fn candidates() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../candidates")

@@ -4,8 +4,9 @@
 
 use std::time::Duration;
 
+use crossfibre_verification::conform::interview::conform;
 use crossfibre_verification::conform::record::Verdict;
-use crossfibre_verification::conform::session::{Options, conform};
+use crossfibre_verification::conform::session::Options;
 
 #[test]
 fn the_engine_conforms_to_the_bit() {

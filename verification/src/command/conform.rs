@@ -9,9 +9,10 @@ use anyhow::Result;
 use crossfibre::scene::Scene;
 use indicatif::ProgressBar;
 
+use crate::conform::interview::conform;
 use crate::conform::protocol::{Ask, Depth};
 use crate::conform::record::{Report, Verdict};
-use crate::conform::session::{Options, Session, conform};
+use crate::conform::session::{Options, Session};
 use crate::conform::shrink::shrink;
 use crate::conform::text::Text;
 use crate::conform::{html, junit, questions};

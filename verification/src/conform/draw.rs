@@ -20,7 +20,11 @@ pub fn scene(random: &mut SplitMix) -> Scene {
     };
     let length = primary.length;
     let secondary = (!random.chance(1.0 / 3.0)).then(|| Secondary {
-        at: if random.chance(0.25) { 0.0 } else { length * random.between(0.06, 0.71) },
+        at: if random.chance(0.25) {
+            0.0
+        } else {
+            length * random.between((0.7 / elements as f64).max(0.06), 0.71)
+        },
         length: random.between(0.11, 0.37),
         elements: random.whole(4..31),
         density: random.between(870.0, 2140.0),
@@ -40,6 +44,10 @@ pub fn scene(random: &mut SplitMix) -> Scene {
         primary,
         secondary,
     };
+    if scene.secondary.as_ref().is_some_and(|secondary| secondary.at == 0.0) {
+        // (11) as printed is undefined there.
+        scene.corrections = Corrections::ALL;
+    }
     // From half the way of the first wave to the clamp up to twice there and back.
     scene.duration = scene.primary.length / wave_speed(&scene) * random.between(0.5, 4.0);
     scene

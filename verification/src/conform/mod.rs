@@ -2,9 +2,11 @@
 
 pub mod by_name;
 pub mod candidate;
+pub mod compare;
 pub mod draw;
 pub mod expected;
 pub mod html;
+pub mod interview;
 pub mod judge;
 pub mod junit;
 pub mod protocol;
