@@ -112,7 +112,7 @@ impl Judge {
 
     fn verdict(&self, expected: &Expected, differences: &[String], judged: Vec<Judged>) -> Outcome {
         let same = judged.iter().all(Judged::is_same) && differences.is_empty();
-        // Wrong quantities, the worst last: their order is that of the step.
+        // The first that is wrong, in the order in which a state lists them.
         let wrong =
             judged.iter().find(|j| if self.exact { !j.is_same() } else { !j.is_rounding() });
         let reason = differences.first().cloned().or_else(|| wrong.map(describe));
