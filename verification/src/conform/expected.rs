@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
-use crossfibre::discretisation::Discretisation;
+use crossfibre::discretisation::{Discretisation, Properties};
 use crossfibre::double_double::DoubleDouble;
 use crossfibre::errata::Corrections;
 use crossfibre::march;
@@ -16,7 +16,7 @@ use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
 use crossfibre::result::RunResult;
 use crossfibre::scene::{Scene, Strain};
-use crossfibre::state::{State, Wavefront};
+use crossfibre::state::{FibreState, State, Wavefront};
 
 use super::by_name::{self, Inputs};
 use super::protocol::{Edition, Form, Precision, StateRecord};
@@ -299,22 +299,16 @@ pub fn energy_of(scene: &Scene, state: &State<f64>) -> f64 {
 /// What the energy would change if each strain were off by 1 and each velocity by the wave speed,
 /// their natural sizes, times those of the state: Σ T L⁰ + Σ Δm c |v|, both halves, J.
 fn energy_moved_by_one<S: Number>(state: &State<S>) -> f64 {
-    let (mut stretched, mut moved) = (S::zero(), S::zero());
-    let sizes = |v: &[S]| v.iter().fold(S::zero(), |sum, x| sum + Number::abs(*x));
-    let fibre = &state.primary;
-    let Some(length) = fibre.unstrained.first() else { return 0.0 };
-    stretched += sizes(&fibre.tension) * *length;
-    moved += fibre.velocity.iter().fold(S::zero(), |sum, v| sum + sizes(v.as_slice()))
-        * fibre.properties.mass
-        * fibre.properties.wave_speed;
-    if let Some(crossover) = &state.crossover {
-        let fibre = &crossover.fibre;
-        stretched += sizes(&fibre.tension) * *length;
-        moved += fibre.velocity.iter().fold(S::zero(), |sum, v| sum + sizes(v.as_slice()))
-            * fibre.properties.mass
-            * fibre.properties.wave_speed;
+    let secondary = state.crossover.as_ref().map(|crossover| of_fibre(&crossover.fibre));
+    return 2.0 * (of_fibre(&state.primary) + secondary.unwrap_or(0.0));
+
+    fn of_fibre<S: Number, const D: usize>(fibre: &FibreState<S, D>) -> f64 {
+        let Properties { spacing, mass, wave_speed, .. } = fibre.properties;
+        let size = |sum: S, x: &S| sum + Number::abs(*x);
+        let tension = fibre.tension.iter().fold(S::zero(), size);
+        let velocity = fibre.velocity.iter().flat_map(|v| v.iter()).fold(S::zero(), size);
+        (tension * spacing + velocity * mass * wave_speed).to_f64()
     }
-    2.0 * (stretched + moved).to_f64()
 }
 
 /// The greatest differences so far.
