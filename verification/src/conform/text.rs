@@ -2,7 +2,9 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::judge::allowed;
 use super::protocol::Depth;
+use super::quantity::Quantity;
 use super::record::{ItemRecord, Report, Row, Verdict};
 
 /// Failures that are shown one by one.
@@ -88,7 +90,9 @@ fn table(to: &mut Formatter, rows: &[Row], exact: bool) -> fmt::Result {
     }
     writeln!(
         to,
-        "an envelope is what rounding explains; beyond 4 of an equation, 8 of others: wrong"
+        "an envelope is what rounding explains; beyond {} of an equation, {} of others: wrong",
+        allowed(Quantity::Equation(4)),
+        allowed(Quantity::Energy)
     )
 }
 
