@@ -20,6 +20,7 @@ pub mod golden;
 pub mod ledger_effects;
 pub mod output;
 pub mod plot;
+pub mod precision;
 pub mod random;
 pub mod record;
 pub mod report;

@@ -1,6 +1,6 @@
 //! A result for people: what came of a run, beside what the closed forms say.
 
-mod exact;
+pub mod exact;
 mod table;
 mod text;
 

@@ -13,7 +13,9 @@ use crate::closed_form::{self, component, law};
 /// A stretch of fibre that the exact solution strains uniformly.
 #[derive(Debug, PartialEq)]
 pub struct Plateau {
+    /// What people call it.
     pub what: &'static str,
+    /// The fibre.
     pub fibre: Fibre,
     /// The nearer end, m.
     pub from: f64,
@@ -32,6 +34,7 @@ pub struct Exact {
     pub kink: Option<f64>,
     /// Whether the kink has met the wave that the crossover reflects, and is faster since.
     pub kink_met: bool,
+    /// Where strain is uniform.
     pub plateaus: Vec<Plateau>,
     /// Why a plateau that one would look for is not there.
     pub notes: Vec<String>,

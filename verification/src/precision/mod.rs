@@ -1,0 +1,57 @@
+//! The study `work-precision`: error against work.
+//!
+//! Each [`Problem`] has an [exact](exact) answer. It is run in every [`Variant`] on a ladder of meshes,
+//! and of each [`Run`] is kept what [readings](reading) it gives, what they ought to be, and how much
+//! work it was. All of that is deterministic; measured time is kept apart.
+
+pub mod exact;
+pub mod problems;
+pub mod reading;
+pub mod run;
+pub mod variants;
+
+pub use problems::{Problem, REFINEMENTS};
+pub use reading::{Quantity, Reading};
+pub use run::{Found, Run, found};
+pub use variants::{VARIANTS, Variant};
+
+use crate::sweep::Point;
+
+/// The name of the study, and of the format of its values.
+pub const STUDY: &str = "work-precision/1";
+
+/// The greatest refinement at which 106 bits are run: they cost some fifty times as much.
+const FINEST_IN_106_BITS: f64 = 16.0;
+
+/// The id of a run.
+pub fn id(problem: Problem, variant: &Variant, refinement: f64) -> String {
+    let elements = problem.scene(refinement).primary.elements;
+    format!("{}-{}-{elements}", problem.id(), variant.slug())
+}
+
+/// A problem in a variant on a mesh.
+pub fn run_of(problem: Problem, variant: &Variant, refinement: f64) -> Run {
+    Run {
+        scene: variant.of(problem.scene(refinement)),
+        pulled_along: problem.is_pulled_along(),
+        precision: variant.precision,
+        flagged: variant.flagged,
+    }
+}
+
+/// Every run of the study up to a refinement, problem by problem, variant by variant, the coarsest
+/// mesh first.
+pub fn points(finest: f64) -> Vec<Point<Run>> {
+    let mut points = Vec::new();
+    for problem in Problem::ALL {
+        for variant in VARIANTS.iter().filter(|variant| variant.applies_to(problem)) {
+            let is_long = variant.precision == variants::Precision::DoubleDouble;
+            let finest = if is_long { finest.min(FINEST_IN_106_BITS) } else { finest };
+            for refinement in REFINEMENTS.into_iter().filter(|&refinement| refinement <= finest) {
+                let id = id(problem, variant, refinement);
+                points.push(Point { id, parameters: run_of(problem, variant, refinement) });
+            }
+        }
+    }
+    points
+}

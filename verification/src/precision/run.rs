@@ -1,0 +1,151 @@
+//! A run of the study, and what is kept of it.
+
+use crossfibre::discretisation::Discretisation;
+use crossfibre::double_double::DoubleDouble;
+use crossfibre::number::{Number, Vector};
+use crossfibre::outcome::Outcome;
+use crossfibre::paper::Paper;
+use crossfibre::result::{RunResult, WithPaper, with_paper};
+use crossfibre::scene::Scene;
+use crossfibre::state::{State, Wavefront};
+use serde::{Deserialize, Serialize};
+
+use super::exact::{Arrival, Exact};
+use super::reading::{Reading, readings};
+use super::variants::Precision;
+use crate::wide;
+
+/// What is run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// The scene.
+    pub scene: Scene,
+    /// Whether the projectile pulls along the fibre, not across it.
+    pub pulled_along: bool,
+    /// The number.
+    pub precision: Precision,
+    /// Whether only elements up to the wavefront are visited.
+    pub flagged: bool,
+}
+
+/// What is kept: all of it deterministic.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Found {
+    /// How it ended. Of a run that did not complete there are no readings.
+    pub outcome: Outcome,
+    /// Time reached, s.
+    pub time: f64,
+    /// Steps made.
+    pub steps: u64,
+    /// Elements visited.
+    pub element_steps: u64,
+    /// Evaluations of numbered equations.
+    pub evaluations: u64,
+    /// What was read, and what it ought to be.
+    pub readings: Vec<Reading>,
+    /// Error of the exact profile that the exact solution admits, as the L1 norm has it; none where
+    /// there is no exact solution.
+    pub floor: Option<f64>,
+}
+
+/// A march under way, as a reading sees it.
+pub struct Marched<S: Number> {
+    /// The last state.
+    pub state: State<S>,
+    /// When the strain at the station first reached its level, s.
+    pub arrived: Option<f64>,
+}
+
+/// Makes a run and reads it.
+pub fn found(run: &Run) -> Found {
+    match run.precision {
+        Precision::Single => found_in::<f32>(run),
+        Precision::Double => found_in::<f64>(run),
+        Precision::DoubleDouble => found_in::<DoubleDouble>(run),
+    }
+}
+
+fn found_in<S: Number>(run: &Run) -> Found {
+    struct Work<'a>(&'a Run);
+    impl<S: Number> WithPaper<S> for Work<'_> {
+        type Out = (Marched<S>, RunResult);
+        fn with(self, paper: &impl Paper<S>) -> Self::Out {
+            let run = self.0;
+            let scene = &run.scene;
+            let mut state = State::<S>::at_impact(scene, wavefront(run.flagged));
+            if run.pulled_along {
+                state.projectile.axis = Vector::<S, 2>::new(-S::one(), S::zero());
+            }
+            let steps = Discretisation::<S>::of(scene).steps(scene.duration);
+            let mut gate = Arrival::of(run).map(Gate::of);
+            let outcome = wide::march(paper, &mut state, steps, |state| {
+                if let Some(gate) = &mut gate {
+                    gate.watch(state);
+                }
+            });
+            let result = RunResult::of(scene, &state, paper, outcome);
+            (Marched { state, arrived: gate.and_then(|gate| gate.arrived) }, result)
+        }
+    }
+    let (marched, result) = with_paper::<S, _>(&run.scene, Work(run));
+    let counts = &result.counts;
+    let mut found = Found {
+        outcome: result.outcome,
+        time: result.time,
+        steps: result.steps,
+        element_steps: counts.element_steps,
+        evaluations: counts.equations.values().sum(),
+        readings: Vec::new(),
+        floor: None,
+    };
+    if found.outcome.is_completed() {
+        let exact = Exact::of(run, found.time).ok();
+        let residual = result.balance.map(|balance| balance.energy.relative_residual());
+        found.readings = readings(run, &marched, exact.as_ref(), residual);
+        found.floor = exact.map(|exact| exact.floor);
+    }
+    found
+}
+
+fn wavefront(flagged: bool) -> Wavefront {
+    if flagged { Wavefront::Flagged } else { Wavefront::Ignored }
+}
+
+/// Waits for a front.
+struct Gate {
+    arrival: Arrival,
+    /// Strain at the station and time, after the step before.
+    before: (f64, f64),
+    arrived: Option<f64>,
+}
+
+impl Gate {
+    fn of(arrival: Arrival) -> Self {
+        Self { arrival, before: (0.0, 0.0), arrived: None }
+    }
+
+    fn watch<S: Number>(&mut self, state: &State<S>) {
+        if self.arrived.is_some() {
+            return;
+        }
+        let level = self.arrival.level;
+        let now = (strain_at(state, self.arrival.station), state.time().to_f64());
+        let before = std::mem::replace(&mut self.before, now);
+        if now.0 >= level {
+            let share = (level - before.0) / (now.0 - before.0);
+            self.arrived = Some(before.1 + share * (now.1 - before.1));
+        }
+    }
+}
+
+/// Strain of the primary at a place, m: linear between the middles of elements.
+fn strain_at<S: Number>(state: &State<S>, place: f64) -> f64 {
+    let fibre = &state.primary;
+    let along = place / fibre.properties.spacing.to_f64() - 0.5;
+    let last = fibre.elements() - 2;
+    let index = (along.max(0.0) as usize).min(last);
+    let [here, ahead] = [index, index + 1].map(|i| fibre.strain[i].to_f64());
+    here + (along - index as f64) * (ahead - here)
+}
