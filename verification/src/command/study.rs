@@ -14,7 +14,7 @@ use crate::exit::Exit;
 use crate::extremes;
 use crate::output::Destination;
 use crate::sweep::{Places, Point, Shard, sweep};
-use crate::{figures, stability};
+use crate::{figures, precision, stability};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -31,6 +31,8 @@ enum Study {
     Stability(Sweep),
     /// Run the extreme cases, and say what happens, whether it is right, and what the program says.
     Extremes(Extremes),
+    /// Set errors against work and time, on ladders of meshes and in many variants.
+    WorkPrecision(WorkPrecision),
     /// Count what each part of a scene costs: evaluations, and instructions where valgrind is there.
     Cost(Page),
 }
@@ -69,6 +71,16 @@ struct Sweep {
     from: Vec<PathBuf>,
 }
 
+/// How far the study of error against work goes.
+#[derive(clap::Args)]
+struct WorkPrecision {
+    #[command(flatten)]
+    sweep: Sweep,
+    /// Elements of 0.25 mm and longer only
+    #[arg(long)]
+    quick: bool,
+}
+
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
         Study::Figures(sweep) => {
@@ -81,6 +93,12 @@ pub fn run(args: Args) -> Result<Exit> {
                 figures::points::snapshot,
                 draw,
             )
+        }
+        Study::WorkPrecision(WorkPrecision { sweep, quick }) => {
+            let finest = if quick { precision::QUICK } else { precision::FINEST };
+            let draw = |_: &[_], found| precision::files(&precision::Record::of(finest, found));
+            let points = precision::points(finest);
+            study(sweep, precision::STUDY, &points, precision::found, draw)
         }
         Study::Extremes(Extremes { out }) => write_extremes(out.as_deref()),
         Study::Cost(page) => write_cost(&page),

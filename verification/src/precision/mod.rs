@@ -7,11 +7,13 @@
 pub mod exact;
 pub mod problems;
 pub mod reading;
+pub mod record;
 pub mod run;
 pub mod variants;
 
 pub use problems::{Problem, REFINEMENTS};
 pub use reading::{Quantity, Reading};
+pub use record::{Entry, Record};
 pub use run::{Found, Run, found};
 pub use variants::{VARIANTS, Variant};
 
@@ -19,6 +21,12 @@ use crate::sweep::Point;
 
 /// The name of the study, and of the format of its values.
 pub const STUDY: &str = "work-precision/1";
+
+/// The greatest refinement: 0.03 mm.
+pub const FINEST: f64 = 64.0;
+
+/// The greatest refinement of a quick study: 0.25 mm.
+pub const QUICK: f64 = 8.0;
 
 /// The greatest refinement at which 106 bits are run: they cost some fifty times as much.
 const FINEST_IN_106_BITS: f64 = 16.0;
@@ -39,19 +47,41 @@ pub fn run_of(problem: Problem, variant: &Variant, refinement: f64) -> Run {
     }
 }
 
-/// Every run of the study up to a refinement, problem by problem, variant by variant, the coarsest
-/// mesh first.
-pub fn points(finest: f64) -> Vec<Point<Run>> {
-    let mut points = Vec::new();
+/// A problem to be run in a variant on a mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct Task {
+    /// The problem.
+    pub problem: Problem,
+    /// The variant.
+    pub variant: Variant,
+    /// How often the paper's mesh is refined.
+    pub refinement: f64,
+}
+
+/// All that is run up to a refinement: problem by problem, variant by variant, the coarsest mesh first.
+pub fn tasks(finest: f64) -> Vec<Task> {
+    let mut tasks = Vec::new();
     for problem in Problem::ALL {
-        for variant in VARIANTS.iter().filter(|variant| variant.applies_to(problem)) {
+        for variant in VARIANTS.into_iter().filter(|variant| variant.applies_to(problem)) {
             let is_long = variant.precision == variants::Precision::DoubleDouble;
             let finest = if is_long { finest.min(FINEST_IN_106_BITS) } else { finest };
-            for refinement in REFINEMENTS.into_iter().filter(|&refinement| refinement <= finest) {
-                let id = id(problem, variant, refinement);
-                points.push(Point { id, parameters: run_of(problem, variant, refinement) });
-            }
+            let meshes = REFINEMENTS.into_iter().filter(|&refinement| refinement <= finest);
+            tasks.extend(meshes.map(|refinement| Task { problem, variant, refinement }));
         }
     }
-    points
+    tasks
+}
+
+/// The points of the sweep, in the order of [`tasks`].
+pub fn points(finest: f64) -> Vec<Point<Run>> {
+    let point = |Task { problem, variant, refinement }| Point {
+        id: id(problem, &variant, refinement),
+        parameters: run_of(problem, &variant, refinement),
+    };
+    tasks(finest).into_iter().map(point).collect()
+}
+
+/// What is drawn and written from the record: file names with their contents.
+pub fn files(record: &Record) -> Vec<(&'static str, String)> {
+    vec![("record.json", record.json()), ("runs.csv", record.table())]
 }

@@ -2,11 +2,13 @@
 
 use crossfibre::material::{Arm, Update};
 use crossfibre::scene::{Law, Scene};
+use serde::{Deserialize, Serialize};
 
 use crate::cases::support::{shipped, sliding_by};
 
 /// A problem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Problem {
     /// One fibre, struck at 400 m/s.
     Single,
