@@ -6,6 +6,7 @@ pub mod claims;
 pub mod closed_form;
 pub mod command;
 pub mod conform;
+pub mod convergence;
 pub mod cost;
 pub mod diff;
 pub mod exact_file;
