@@ -6,6 +6,7 @@ mod diff;
 mod ended;
 mod exact;
 mod plan;
+mod plan_accuracy;
 mod run;
 mod scene;
 mod schema;

@@ -8,10 +8,13 @@ use anyhow::Result;
 use crossfibre::equations::equation;
 use crossfibre::errata::LEDGER;
 use crossfibre::plan::Plan;
+use schemars::JsonSchema;
+use serde::Serialize;
 
-use super::scene;
+use super::{plan_accuracy, scene};
 use crate::exit::Exit;
 use crate::output::Destination;
+use crate::precision::advice::{Accuracy, accuracy};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -19,6 +22,9 @@ pub struct Args {
     /// The scene, `-` for standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
+    /// Find the meshes that give an error of this size, such as 1e-3, by trial runs
+    #[arg(long, value_name = "ERROR", value_parser = error_size)]
+    accuracy: Option<f64>,
     /// Write JSON (crossfibre-plan/1) instead of text
     #[arg(long)]
     json: bool,
@@ -29,16 +35,43 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Exit> {
     let destination = Destination::of(args.output.as_deref())?;
-    let plan = Plan::of(&scene::read(&args.scene)?);
+    let scene = scene::read(&args.scene)?;
+    let plan = Plan::of(&scene);
+    if args.accuracy.is_some() {
+        scene::refuse_if_long(&plan, "try a coarser mesh: finer ones are found from it")?;
+    }
+    let accuracy = args.accuracy.map(|wanted| accuracy(&scene, wanted));
+    let file = PlanFile { plan, accuracy };
     let mut out = destination.open()?;
     if args.json {
-        serde_json::to_writer_pretty(&mut out, &plan).map_err(io::Error::from)?;
+        serde_json::to_writer_pretty(&mut out, &file).map_err(io::Error::from)?;
         writeln!(out)?;
     } else {
-        write!(out, "{}", Table(&plan))?;
+        write!(out, "{}", Table(&file.plan))?;
+        if let Some(accuracy) = &file.accuracy {
+            write!(out, "\n{}", plan_accuracy::Table { scene: &scene, accuracy })?;
+        }
     }
     out.finish()?;
     Ok(Exit::Well)
+}
+
+/// What `--json` writes.
+#[derive(Serialize, JsonSchema)]
+pub struct PlanFile {
+    /// The plan.
+    #[serde(flatten)]
+    plan: Plan,
+    /// What the accuracy that was asked for takes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accuracy: Option<Accuracy>,
+}
+
+fn error_size(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(size) if (1e-12..1.0).contains(&size) => Ok(size),
+        _ => Err("must be a relative error from 1e-12 to below 1, such as 1e-3".into()),
+    }
 }
 
 /// A plan for people.

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::ValueEnum;
-use crossfibre::plan::Plan;
 use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 use schemars::schema_for;
 
+use super::plan::PlanFile;
 use crate::conform::{self, protocol};
 use crate::diff::record::Record;
 use crate::exact_file::ExactFile;
@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Exact => schema_for!(ExactFile),
         Format::Trace => schema_for!(TraceLine),
         Format::Diff => schema_for!(Record),
-        Format::Plan => schema_for!(Plan),
+        Format::Plan => schema_for!(PlanFile),
         Format::Conformance => schema_for!(protocol::Message),
         Format::ConformanceReport => schema_for!(conform::record::Report),
         Format::Vectors => schema_for!(VectorFile),

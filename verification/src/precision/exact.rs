@@ -148,12 +148,8 @@ impl Exact {
         let [primary, secondary] =
             [&solved.primary, &solved.secondary].map(|segments| pieces(scene, segments));
         // Where a closed form holds it is taken: it has no chords.
-        let lasting = summary::Exact::of(scene, time).plateaus;
-        let around = around(scene, &lasting);
-        let plateau = match (&around, &lasting[..]) {
-            (None, [only]) => Some(clear(only)),
-            _ => widest(&primary),
-        };
+        let around = around(scene, &summary::Exact::of(scene, time).plateaus);
+        let plateau = only_plateau(scene, time).or_else(|| widest(&primary));
         Ok(Self {
             floor: solved.error_bound * scene.primary.length / integral(&primary),
             plateau,
@@ -228,6 +224,14 @@ fn middle((from, to): (f64, f64)) -> (f64, f64) {
 
 fn clear(of: &summary::Plateau) -> Plateau {
     Plateau { window: middle((of.from, of.to)), strain: of.strain }
+}
+
+/// The plateau of a fibre that has only one, by the closed form of any elastic law.
+pub fn only_plateau(scene: &Scene, time: f64) -> Option<Plateau> {
+    match &summary::Exact::of(scene, time).plateaus[..] {
+        [only] => Some(clear(only)),
+        _ => None,
+    }
 }
 
 /// The widest piece that is strained.

@@ -4,6 +4,7 @@
 //! and of each [`Run`] is kept what [readings](reading) it gives, what they ought to be, and how much
 //! work it was. All of that is deterministic; measured time is kept apart.
 
+pub mod advice;
 pub mod exact;
 pub mod problems;
 pub mod reading;

@@ -2,14 +2,17 @@
 
 use crossfibre::number::Number;
 use crossfibre::state::FibreState;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::exact::{Arrival, Exact, Kink, Piece, Plateau, integral};
+use super::exact::{Arrival, Exact, Kink, Piece, Plateau, integral, only_plateau};
 use super::run::{Marched, Run};
 use crate::figures::points::mean_over;
 
 /// A number that a run gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Mean strain in the middle half of the widest plateau of the primary.
@@ -118,14 +121,19 @@ pub fn readings<S: Number>(
         mean_over(length, &primary, (0.0, length)),
         exact.map(|exact| integral(&exact.primary) / length),
     );
+    let plateau = match exact {
+        Some(exact) => exact.plateau,
+        None if run.pulled_along => None,
+        None => only_plateau(scene, state.time().to_f64()),
+    };
+    if let Some(plateau) = &plateau {
+        let mean = mean_over(length, &primary, plateau.window);
+        read(Quantity::Plateau, mean, Some(plateau.strain));
+    }
     if let Some(exact) = exact {
         let (l1, l2) = norms(length, &primary, &exact.primary);
         read(Quantity::StrainL1, l1, Some(0.0));
         read(Quantity::StrainL2, l2, Some(0.0));
-        if let Some(plateau) = &exact.plateau {
-            let mean = mean_over(length, &primary, plateau.window);
-            read(Quantity::Plateau, mean, Some(plateau.strain));
-        }
         if let Some(kink) = exact.kink
             && let Some(at) = turning_point(&state.primary, kink)
         {

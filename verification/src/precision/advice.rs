@@ -1,0 +1,311 @@
+//! Which mesh a scene of the user's own needs for an accuracy.
+//!
+//! The scene is run on a ladder of meshes about its own. An error is held against the exact answer
+//! where there is one, else against the limit of the ladder. A mesh that is asked for is run, if it is
+//! not too long a run, and the error that it has is told: the law that leads there only leads there.
+
+use crossfibre::outcome::Outcome;
+use crossfibre::plan::Plan;
+use crossfibre::scene::Scene;
+use indicatif::{ProgressBar, ProgressStyle};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::exact::Exact;
+use super::reading::{Quantity, Reading};
+use super::run::{Found, Run, found};
+use super::variants::Precision;
+use crate::convergence::{
+    PowerLaw, Rule, Verdict, envelope, fitted_limit, of_errors, of_values, power_law,
+};
+
+/// Element-steps of a run of the ladder, and of one that shows whether an advice holds: a tenth of a
+/// second and a second or two on an ordinary machine.
+const TRIAL: f64 = 2e7;
+const PROOF: f64 = 3e8;
+
+/// How many times finer than what was run a mesh is believed in.
+const FARTHEST: f64 = 100.0;
+
+/// Elements of the primary on the coarsest mesh tried, and doublings of the mesh, at the most.
+const COARSEST: usize = 16;
+const DOUBLINGS: i32 = 7;
+
+/// Attempts to find the mesh by the law.
+const ATTEMPTS: usize = 3;
+
+/// Level of the interval of an order, and how near pairwise orders are to the fitted one in the
+/// asymptotic range.
+const LEVEL: f64 = 0.95;
+const BAND: f64 = 0.25;
+
+/// What accuracy takes.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Accuracy {
+    /// The error that is wanted: relative, or of a norm or residual itself.
+    pub wanted: f64,
+    /// What errors are held against.
+    pub against: Against,
+    /// The runs made to find out.
+    pub trials: Vec<Trial>,
+    /// What each quantity needs; empty if a trial did not complete.
+    pub quantities: Vec<Advice>,
+}
+
+/// What errors are held against.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Against {
+    /// The exact answer.
+    Exact,
+    /// The limit of the meshes themselves, since nothing says what is exact.
+    Limit {
+        /// Why there is no exact answer.
+        why: String,
+    },
+}
+
+/// A run made to find out.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Trial {
+    /// Elements of the primary.
+    pub elements: usize,
+    /// Elements visited.
+    pub element_steps: u64,
+    /// How it ended.
+    pub outcome: Outcome,
+}
+
+/// What a quantity needs.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Advice {
+    /// Which.
+    pub quantity: Quantity,
+    /// The size of its error on the scene's own mesh.
+    pub now: f64,
+    /// The order with which it falls, and half the width of the order's interval; none where its errors
+    /// follow no law.
+    pub order: Option<(f64, f64)>,
+    /// The mesh.
+    pub needs: Needs,
+}
+
+/// A mesh that gives an accuracy.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Needs {
+    /// A mesh that has been run.
+    Run {
+        /// Elements of the primary.
+        elements: usize,
+        /// Elements visited.
+        element_steps: u64,
+        /// The error that it has.
+        found: f64,
+        /// Whether the law led there; otherwise it is one of the ladder, and all finer ones keep the
+        /// accuracy too.
+        by_the_law: bool,
+    },
+    /// A mesh that the law asks for, too fine to be run to see.
+    TooLong {
+        /// Elements of the primary.
+        elements: f64,
+        /// Elements visited.
+        element_steps: f64,
+        /// How many times finer than the finest that was run.
+        beyond: f64,
+    },
+    /// None that could be found: the errors follow no law, or fall too slowly.
+    Unknown {
+        /// The error on the finest mesh.
+        error: f64,
+        /// Its elements of the primary.
+        elements: usize,
+    },
+}
+
+/// Finds out what an accuracy takes.
+pub fn accuracy(scene: &Scene, wanted: f64) -> Accuracy {
+    let style = ProgressStyle::with_template("{spinner} trial run {pos}: {msg}")
+        .unwrap_or_else(|_| ProgressStyle::default_spinner());
+    let mut trials = Trials { scene, runs: Vec::new(), bar: ProgressBar::new_spinner() };
+    trials.bar.set_style(style);
+    for factor in ladder(scene) {
+        trials.add(factor);
+    }
+    let against = match Exact::of(&run_of(scene, 1.0), trials.own().time) {
+        Ok(_) => Against::Exact,
+        Err(why) => Against::Limit { why },
+    };
+    let completed = trials.runs.iter().all(|(_, found)| found.outcome.is_completed());
+    let quantities = if completed {
+        Quantity::ALL.iter().filter_map(|&q| advice(&mut trials, q, wanted)).collect()
+    } else {
+        Vec::new()
+    };
+    trials.bar.finish_and_clear();
+    let trial = |(run, found): &(Run, Found)| Trial {
+        elements: run.scene.primary.elements,
+        element_steps: found.element_steps,
+        outcome: found.outcome.clone(),
+    };
+    Accuracy { wanted, against, trials: trials.runs.iter().map(trial).collect(), quantities }
+}
+
+/// Refinements of a scene's own mesh that are tried, the coarsest first.
+fn ladder(scene: &Scene) -> Vec<f64> {
+    let is_small = |factor: f64| Plan::of(&refined(scene, factor)).element_steps <= TRIAL;
+    let least = scene.secondary.as_ref().map_or(usize::MAX, |fibre| fibre.elements);
+    let least = least.min(scene.primary.elements) as f64;
+    let halved = |k: i32| least * 0.5_f64.powi(k) >= COARSEST as f64;
+    let halvings = (1..=DOUBLINGS).take_while(|&k| halved(k));
+    let mut factors: Vec<f64> = halvings.map(|k| 0.5_f64.powi(k)).collect();
+    factors.reverse();
+    factors.push(1.0);
+    factors.extend((1..=DOUBLINGS).map(|k| 2.0_f64.powi(k)).take_while(|&f| is_small(f)));
+    let spare = factors.len().saturating_sub(DOUBLINGS as usize);
+    factors.split_off(spare)
+}
+
+/// The scene with so many times as many elements on each fibre.
+fn refined(scene: &Scene, factor: f64) -> Scene {
+    let mut scene = scene.clone();
+    let times = |elements: usize| ((elements as f64 * factor).round() as usize).max(2);
+    scene.primary.elements = times(scene.primary.elements);
+    if let Some(secondary) = &mut scene.secondary {
+        secondary.elements = times(secondary.elements);
+    }
+    scene
+}
+
+fn run_of(scene: &Scene, factor: f64) -> Run {
+    let scene = refined(scene, factor);
+    Run { scene, pulled_along: false, precision: Precision::Double, flagged: true }
+}
+
+/// The runs made so far, the coarsest first.
+struct Trials<'s> {
+    scene: &'s Scene,
+    runs: Vec<(Run, Found)>,
+    bar: ProgressBar,
+}
+
+impl Trials<'_> {
+    fn add(&mut self, factor: f64) -> usize {
+        let run = run_of(self.scene, factor);
+        self.bar.set_message(format!("{} elements", run.scene.primary.elements));
+        let found = found(&run);
+        self.bar.inc(1);
+        let elements = |run: &Run| run.scene.primary.elements;
+        let index = self.runs.partition_point(|(other, _)| elements(other) < elements(&run));
+        self.runs.insert(index, (run, found));
+        index
+    }
+
+    /// The run on the scene's own mesh.
+    fn own(&self) -> &Found {
+        let is_own = |run: &Run| run.scene.primary.elements == self.scene.primary.elements;
+        let own = self.runs.iter().find(|(run, _)| is_own(run));
+        own.map(|(_, found)| found).expect("the ladder has the scene's own mesh")
+    }
+
+    /// Lengths of elements and signed errors of a quantity, over the runs that give it; with the
+    /// indices of these runs.
+    fn errors(&self, quantity: Quantity) -> (Vec<(f64, f64)>, Vec<usize>) {
+        let reading = |(index, (run, found)): (usize, &(Run, Found))| {
+            let reading = *found.readings.iter().find(|reading| reading.quantity == quantity)?;
+            let fibre = &run.scene.primary;
+            Some((fibre.length / fibre.elements as f64, reading, index))
+        };
+        let read: Vec<_> = self.runs.iter().enumerate().filter_map(reading).collect();
+        let values: Vec<_> = read.iter().map(|(h, reading, _)| (*h, reading.value)).collect();
+        // Without an exact number: the limit if there is a law to extrapolate by, else the finest.
+        let known = read.iter().all(|(_, reading, _)| reading.exact.is_some());
+        let (exact, count) = match (known, limit(&values)) {
+            (true, _) => (None, read.len()),
+            (false, Some(limit)) => (Some(limit), read.len()),
+            (false, None) => (values.last().map(|value| value.1), read.len().saturating_sub(1)),
+        };
+        let error = |(h, reading, _): &(f64, Reading, usize)| {
+            let error = Reading { exact: exact.or(reading.exact), ..*reading }.error()?;
+            Some((*h, error))
+        };
+        let errors = read[..count].iter().filter_map(error).collect();
+        (errors, read.iter().map(|(_, _, index)| *index).collect())
+    }
+}
+
+/// What values on a ladder tend to.
+fn limit(values: &[(f64, f64)]) -> Option<f64> {
+    let rule = Rule { band: BAND, floor: 0.0 };
+    match of_values(values, rule).ok()? {
+        Verdict::Asymptotic(run) => {
+            fitted_limit(&values[run.from..], (0.1, 4.0), LEVEL).ok().map(|fit| fit.limit)
+        }
+        _ => None,
+    }
+}
+
+/// The law that the finest errors follow: in the asymptotic range, else of the envelope.
+fn law(errors: &[(f64, f64)]) -> Option<PowerLaw> {
+    let rule = Rule { band: BAND, floor: 0.0 };
+    let sizes: Vec<_> = errors.iter().map(|&(h, e)| (h, e.abs())).collect();
+    match of_errors(errors, rule).ok()? {
+        Verdict::Asymptotic(run) => power_law(&sizes[run.from..], LEVEL).ok(),
+        // The finest point of the envelope rests on one mesh.
+        _ => power_law(envelope(errors).ok()?.split_last()?.1, LEVEL).ok(),
+    }
+    .filter(|law| law.order > BAND.max(law.half_width))
+}
+
+fn advice(trials: &mut Trials, quantity: Quantity, wanted: f64) -> Option<Advice> {
+    let (errors, _) = trials.errors(quantity);
+    let now = {
+        let own = trials.scene.primary.length / trials.scene.primary.elements as f64;
+        errors.iter().find(|(h, _)| *h == own).map(|(_, error)| error.abs())?
+    };
+    let law = law(&errors);
+    let order = law.as_ref().map(|law| (law.order, law.half_width));
+    let needs = needs(trials, quantity, wanted, law);
+    Some(Advice { quantity, now, order, needs })
+}
+
+fn needs(trials: &mut Trials, quantity: Quantity, wanted: f64, law: Option<PowerLaw>) -> Needs {
+    for attempt in 0.. {
+        let (errors, indices) = trials.errors(quantity);
+        let keeps = envelope(&errors).unwrap_or_default();
+        if let Some(mesh) = keeps.iter().position(|(_, greatest)| *greatest <= wanted) {
+            let (run, found) = &trials.runs[indices[mesh]];
+            return Needs::Run {
+                elements: run.scene.primary.elements,
+                element_steps: found.element_steps,
+                found: errors[mesh].1.abs(),
+                by_the_law: attempt > 0,
+            };
+        }
+        let last = errors.len().saturating_sub(1);
+        let (finest, error) = errors.get(last).map_or((0.0, f64::NAN), |&(h, e)| (h, e.abs()));
+        let run_with = |index: usize| trials.runs[index].0.scene.primary.elements;
+        let elements = indices.get(last).map_or(0, |&index| run_with(index));
+        let unknown = Needs::Unknown { error, elements };
+        let Some(law) = law.filter(|_| attempt < ATTEMPTS) else { return unknown };
+        // A mesh that was not enough leads on by its own error; always to a finer one.
+        let wanted_by_law = wanted * (law.at(finest) / error).min(1.0);
+        let Ok(reach) = law.reach(wanted_by_law) else { return unknown };
+        let spacing = reach.spacing.min(0.98 * finest);
+        let own = &trials.scene.primary;
+        // A little finer than the law says, which goes through the middle of its points.
+        let factor = 1.02 * own.length / spacing / own.elements as f64;
+        let element_steps = Plan::of(trials.scene).element_steps * factor * factor;
+        let beyond = finest / spacing;
+        if beyond > FARTHEST {
+            return unknown;
+        }
+        if element_steps > PROOF {
+            let elements = (factor * own.elements as f64).round();
+            return Needs::TooLong { elements, element_steps, beyond };
+        }
+        trials.add(factor);
+    }
+    unreachable!("attempts are counted")
+}
