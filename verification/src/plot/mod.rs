@@ -3,7 +3,7 @@
 //! A plot is a row of [`Panel`]s; a panel has two axes, linear or logarithmic, and [`Series`]. What
 //! leaves the axes is cut off. A point that an axis has no place for breaks a line: a coordinate that
 //! is not finite, or that is not positive on a logarithmic axis. Gaps and separate strokes of one
-//! series are made so.
+//! series are made so. A [`Map`] has a value in every cell of a grid.
 //!
 //! A plot has a ground of its own, white, and dark on a screen whose reader prefers dark pages. The
 //! colours stand out from both, and people of any colour vision tell them apart.
@@ -12,12 +12,14 @@ mod axis;
 mod colour;
 mod frame;
 mod legend;
+mod map;
 mod marks;
 mod page;
 mod series;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
+pub use map::{Map, map};
 pub use marks::Mark;
 pub use series::{Series, Style};
 
