@@ -21,8 +21,8 @@ pub enum State {
 const STATES: [(State, &str, Colour); 5] = [
     (State::Stable, "stable", Colour::Mist),
     (State::Growing, "growing", Colour::Sand),
-    (State::Diverged(u64::MAX), "diverged later", Colour::Orange),
-    (State::Diverged(1000), "diverged within 1000 steps", Colour::Vermillion),
+    (State::Diverged(u64::MAX), "diverged later", Colour::Amber),
+    (State::Diverged(1000), "diverged within 1000 steps", Colour::Rust),
     (State::Diverged(100), "diverged within 100 steps", Colour::Brown),
 ];
 
