@@ -10,6 +10,7 @@ pub mod problems;
 pub mod reading;
 pub mod record;
 pub mod run;
+pub mod times;
 pub mod variants;
 
 pub use problems::{Problem, REFINEMENTS};
