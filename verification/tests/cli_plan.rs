@@ -17,6 +17,28 @@ fn a_plan_says_which_equations_run_and_why() {
     }
 }
 
+/// A straight answer, one where nothing is exact, and one where every trial run fails.
+#[test]
+fn a_plan_says_what_an_accuracy_takes() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(scenes().join("artificial-viscosity.json")).unwrap();
+    let fails = folder.path().join("fails.json");
+    fs::write(&fails, text.replace("\"courant\": 0.7", "\"courant\": 0.95")).unwrap();
+    for (name, scene) in [
+        ("single-400", "single-400.json"),
+        ("hardening", "hardening.json"),
+        ("fails", fails.to_str().unwrap()),
+    ] {
+        let ended = crossfibre(&scenes(), &["plan", scene, "--accuracy", "1.5e-2"]);
+        assert_snapshot(&format!("plan-accuracy-{name}"), &ended.seen());
+    }
+    for size in ["0", "1", "-1e-3", "NaN", "inf", "1e-13", "fine", "1%"] {
+        let ended = crossfibre(&scenes(), &["plan", "fig3.json", &format!("--accuracy={size}")]);
+        assert_eq!((ended.code, ended.stdout.as_str()), (1, ""), "{size}");
+        assert!(ended.stderr.contains("from 1e-12 to below 1, such as 1e-3"), "{}", ended.stderr);
+    }
+}
+
 fn keys(json: &Value) -> BTreeSet<String> {
     json.as_object().unwrap().keys().cloned().collect()
 }
@@ -37,7 +59,10 @@ fn a_schema_has_the_fields_that_are_written() {
     for (written, schema) in [
         (scene, &json(&["schema", "scene"])),
         (json(&["run", "unequal.json", "--json"]), &json(&["schema", "result"])),
-        (json(&["plan", "unequal.json", "--json"]), &json(&["schema", "plan"])),
+        (
+            json(&["plan", "hardening.json", "--accuracy", "0.03", "--json"]),
+            &json(&["schema", "plan"]),
+        ),
         (event, &trace_schema["$defs"]["Event"]),
     ] {
         assert_eq!(keys(&written), keys(&schema["properties"]));

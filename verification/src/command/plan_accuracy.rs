@@ -40,6 +40,12 @@ impl Display for Table<'_> {
                 "             no exact answer ({why}): errors are those against what the meshes tend to"
             )?,
         }
+        if let Some(floor) = accuracy.floor.filter(|floor| *floor > 0.1 * accuracy.wanted) {
+            writeln!(
+                to,
+                "             the exact profile itself is known to {floor:.1e}, as L1 has it"
+            )?;
+        }
         let failed = trials.iter().filter(|trial| !trial.outcome.is_completed());
         for trial in failed {
             writeln!(to, "beware       {} elements: {}", trial.elements, trial.outcome)?;

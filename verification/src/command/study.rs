@@ -10,9 +10,10 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::cost;
-use crate::exit::Exit;
+use crate::exit::{self, Exit};
 use crate::extremes;
 use crate::output::Destination;
+use crate::precision::measure::{Effort, times};
 use crate::sweep::{Places, Point, Shard, sweep};
 use crate::{figures, precision, stability};
 
@@ -53,6 +54,9 @@ struct Page {
     out: PathBuf,
 }
 
+/// Names of files, and what is in them.
+type Files = Vec<(&'static str, String)>;
+
 /// Where a study goes, and which part of it is computed.
 #[derive(clap::Args)]
 struct Sweep {
@@ -76,16 +80,22 @@ struct Sweep {
 struct WorkPrecision {
     #[command(flatten)]
     sweep: Sweep,
-    /// Elements of 0.25 mm and longer only
-    #[arg(long)]
+    /// Elements of 0.25 mm and longer only, and few rounds of measured time
+    #[arg(long, conflicts_with = "full")]
     quick: bool,
+    /// Many rounds of measured time, and instructions where valgrind is there: some minutes
+    #[arg(long)]
+    full: bool,
+    /// Measure no time; what is drawn is the same wherever it is drawn
+    #[arg(long, conflicts_with = "full")]
+    no_times: bool,
 }
 
 pub fn run(args: Args) -> Result<Exit> {
     match args.study {
         Study::Figures(sweep) => {
             let draw =
-                |points: &[_], found| figures::files(&figures::Snapshots::new(points, found));
+                |points: &[_], found| Ok(figures::files(&figures::Snapshots::new(points, found)));
             study(
                 sweep,
                 figures::STUDY,
@@ -94,21 +104,36 @@ pub fn run(args: Args) -> Result<Exit> {
                 draw,
             )
         }
-        Study::WorkPrecision(WorkPrecision { sweep, quick }) => {
-            let finest = if quick { precision::QUICK } else { precision::FINEST };
-            let draw = |_: &[_], found| precision::files(&precision::Record::of(finest, found));
-            let points = precision::points(finest);
-            study(sweep, precision::STUDY, &points, precision::found, draw)
-        }
+        Study::WorkPrecision(work_precision) => study_precision(work_precision),
         Study::Extremes(Extremes { out }) => write_extremes(out.as_deref()),
         Study::Cost(page) => write_cost(&page),
         Study::Stability(sweep) => {
             let draw =
-                |points: &[_], found| stability::files(&stability::Results::new(points, found));
+                |points: &[_], found| Ok(stability::files(&stability::Results::new(points, found)));
             let points = stability::tasks::points();
             study(sweep, stability::STUDY, &points, stability::tasks::compute, draw)
         }
     }
+}
+
+fn study_precision(args: WorkPrecision) -> Result<Exit> {
+    let WorkPrecision { sweep, quick, full, no_times } = args;
+    let finest = if quick { precision::QUICK } else { precision::FINEST };
+    let effort = match (quick, full) {
+        (true, _) => Effort { rounds: 3, instructions: false },
+        (_, true) => Effort { rounds: 9, instructions: true },
+        _ => Effort { rounds: 5, instructions: false },
+    };
+    let draw = |_: &[_], found| {
+        let record = precision::Record::of(finest, found);
+        let times = if no_times { None } else { Some(times(&record, effort)?) };
+        for note in times.iter().flat_map(|(_, notes)| notes) {
+            exit::say(note);
+        }
+        Ok(precision::files(&record, times.as_ref().map(|(times, _)| times)))
+    };
+    let points = precision::points(finest);
+    study(sweep, precision::STUDY, &points, precision::found, draw)
 }
 
 fn write_extremes(out: Option<&Path>) -> Result<Exit> {
@@ -128,7 +153,7 @@ fn study<P, V>(
     name: &str,
     points: &[Point<P>],
     compute: impl Fn(&P) -> V + Sync,
-    draw: impl Fn(&[Point<P>], Vec<V>) -> Vec<(&'static str, String)>,
+    draw: impl Fn(&[Point<P>], Vec<V>) -> Result<Files>,
 ) -> Result<Exit>
 where
     P: Serialize + Sync,
@@ -154,7 +179,7 @@ where
         writeln!(to, "nothing is drawn yet: compute the other parts, and unite them by --from")?;
         return Ok(Exit::Well);
     }
-    for (name, text) in draw(points, found) {
+    for (name, text) in draw(points, found)? {
         write(&out.join(name), &text)?;
     }
     writeln!(to, "{short}: {}", out.display())?;

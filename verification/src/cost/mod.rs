@@ -4,18 +4,18 @@
 //! program itself; instructions by callgrind, as the difference between a run and one of twice as many
 //! steps, so that reading, writing and starting fall out.
 
+pub mod instructions;
 mod page;
 mod scenes;
 
-use std::io::Write;
 use std::path::Path;
-use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use crossfibre::scene::Scene;
 use indicatif::ProgressIterator;
 
 use crate::wide;
+use instructions::{has_callgrind, instructions};
 pub use page::page;
 pub use scenes::{Variant, variants};
 
@@ -31,8 +31,7 @@ pub struct Cost {
 
 /// Measures all variants. `program` is this command's own file.
 pub fn costs(program: &Path) -> Result<Vec<Cost>> {
-    let with_callgrind =
-        Command::new("valgrind").arg("--version").output().is_ok_and(|o| o.status.success());
+    let with_callgrind = has_callgrind();
     variants()
         .into_iter()
         .progress()
@@ -51,10 +50,8 @@ pub fn costs(program: &Path) -> Result<Vec<Cost>> {
             let instructions = match with_callgrind {
                 false => None,
                 true => {
-                    let [few, many] = [instructions(program, &variant, once)?, {
-                        instructions(program, &variant, twice)?
-                    }];
-                    Some((many - few) / element_steps)
+                    let count = |scene| instructions(program, variant.command, scene);
+                    Some((count(twice)? - count(once)?) / element_steps)
                 }
             };
             Ok(Cost { variant, evaluations, instructions })
@@ -64,23 +61,4 @@ pub fn costs(program: &Path) -> Result<Vec<Cost>> {
 
 fn twice_as_long(scene: &Scene) -> Scene {
     Scene { duration: 2.0 * scene.duration, ..scene.clone() }
-}
-
-/// Instructions that a run of a scene takes from start to end.
-fn instructions(program: &Path, variant: &Variant, scene: &Scene) -> Result<f64> {
-    let mut file = tempfile::NamedTempFile::new()?;
-    file.write_all(&serde_json::to_vec(scene)?)?;
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(program)
-        .args(variant.command)
-        .arg(file.path())
-        .output()
-        .context("valgrind cannot be started")?;
-    let said = String::from_utf8_lossy(&output.stderr);
-    let collected =
-        said.split("Collected :").nth(1).and_then(|rest| rest.split_whitespace().next());
-    collected
-        .and_then(|number| number.parse().ok())
-        .with_context(|| format!("callgrind gave no count for `{}`: {said}", variant.what))
 }

@@ -6,6 +6,7 @@
 
 pub mod advice;
 pub mod exact;
+pub mod measure;
 pub mod problems;
 pub mod reading;
 pub mod record;

@@ -74,11 +74,7 @@ fn found_in<S: Number>(run: &Run) -> Found {
         fn with(self, paper: &impl Paper<S>) -> Self::Out {
             let run = self.0;
             let scene = &run.scene;
-            let mut state = State::<S>::at_impact(scene, wavefront(run.flagged));
-            if run.pulled_along {
-                state.projectile.axis = Vector::<S, 2>::new(-S::one(), S::zero());
-            }
-            let steps = Discretisation::<S>::of(scene).steps(scene.duration);
+            let (mut state, steps) = at_impact::<S>(run);
             let mut gate = Arrival::of(run).map(Gate::of);
             let outcome = wide::march(paper, &mut state, steps, |state| {
                 if let Some(gate) = &mut gate {
@@ -109,8 +105,14 @@ fn found_in<S: Number>(run: &Run) -> Found {
     found
 }
 
-fn wavefront(flagged: bool) -> Wavefront {
-    if flagged { Wavefront::Flagged } else { Wavefront::Ignored }
+/// The state before the first step, and the steps to make.
+pub fn at_impact<S: Number>(run: &Run) -> (State<S>, u64) {
+    let wavefront = if run.flagged { Wavefront::Flagged } else { Wavefront::Ignored };
+    let mut state = State::<S>::at_impact(&run.scene, wavefront);
+    if run.pulled_along {
+        state.projectile.axis = Vector::<S, 2>::new(-S::one(), S::zero());
+    }
+    (state, Discretisation::<S>::of(&run.scene).steps(run.scene.duration))
 }
 
 /// Waits for a front.

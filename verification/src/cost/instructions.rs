@@ -1,0 +1,32 @@
+//! Machine instructions of a command, counted by callgrind.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result};
+use crossfibre::scene::Scene;
+
+/// Whether there is anything to count with.
+pub fn has_callgrind() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok_and(|o| o.status.success())
+}
+
+/// Instructions that a command takes with a scene, from start to end.
+pub fn instructions(program: &Path, command: &[&str], scene: &Scene) -> Result<f64> {
+    let mut file = tempfile::NamedTempFile::new()?;
+    file.write_all(&serde_json::to_vec(scene)?)?;
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args(command)
+        .arg(file.path())
+        .output()
+        .context("valgrind cannot be started")?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    let collected =
+        said.split("Collected :").nth(1).and_then(|rest| rest.split_whitespace().next());
+    collected
+        .and_then(|number| number.parse().ok())
+        .with_context(|| format!("callgrind gave no count for `{}`: {said}", scene.title))
+}
