@@ -1,8 +1,9 @@
 //! Gives the program a digest of its own source: what it has computed and stored is taken again only
-//! by the same program (`src/sweep`).
+//! by the same program (`src/sweep`); and the compiler's name, which times are reported with.
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 #[allow(dead_code)] // the digest is all that is needed here
 #[path = "src/bits.rs"]
@@ -24,6 +25,12 @@ fn main() {
         name.into_iter().chain(text)
     });
     println!("cargo::rustc-env=CROSSFIBRE_SOURCE={:016x}", bits::fnv(bytes));
+    if let Some(rustc) = std::env::var_os("RUSTC")
+        && let Ok(version) = Command::new(rustc).arg("--version").output()
+    {
+        let version = String::from_utf8_lossy(&version.stdout);
+        println!("cargo::rustc-env=CROSSFIBRE_COMPILER={}", version.trim());
+    }
 }
 
 /// A file, or the files of a folder and of those in it; none if there is no such thing.

@@ -1,4 +1,4 @@
-!> The conversation of docs/conformance.md: a question a line, an answer a line.
+!> The conversation of docs/conformance.md: a question a line, an answer a line. With `--time`, a time.
 program conform
    use, intrinsic :: ieee_arithmetic
    use, intrinsic :: iso_fortran_env, only: input_unit, output_unit, int64
@@ -6,6 +6,7 @@ program conform
    use equations, only: wp
    use fibres
    use json
+   use timing, only: time_march
    implicit none
 
    character(*), parameter :: hello = '"format":"crossfibre-conformance/1","name":"Fortran 2008","number":"f64",' &
@@ -20,9 +21,13 @@ program conform
 
    type(json_t) :: question
    character(:), allocatable :: line
+   character(6) :: asked
    logical :: ended
 
-   do
+   call get_command_argument(1, asked)
+   ended = asked == '--time'
+   if (ended) call time_march()
+   do while (.not. ended)
       call read_line(line, ended)
       if (ended) exit
       call answer(line)

@@ -29,6 +29,7 @@ pub mod stability;
 pub mod summary;
 pub mod sweep;
 pub mod tables;
+pub mod timing;
 pub mod trace_line;
 pub mod wide;
 pub mod worked;

@@ -9,9 +9,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
+use crossfibre::state::Wavefront;
+use crossfibre_verification::cases::support::shipped;
 use crossfibre_verification::conform::interview::conform;
 use crossfibre_verification::conform::record::{Report, Verdict};
 use crossfibre_verification::conform::session::Options;
+use crossfibre_verification::timing::march;
+use crossfibre_verification::timing::program::{self, build, single_fibre};
 
 fn candidates() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../candidates")
@@ -26,19 +30,26 @@ fn has(program: &str, arguments: &[&str]) -> bool {
     runs
 }
 
-/// Builds a copy of a candidate, so that its folder stays as it is.
-fn built(name: &str) -> PathBuf {
-    let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("candidate-{name}"));
-    std::fs::create_dir_all(&to).unwrap();
-    for file in std::fs::read_dir(candidates().join(name)).unwrap() {
-        let file = file.unwrap();
-        if file.file_type().unwrap().is_file() {
-            std::fs::copy(file.path(), to.join(file.file_name())).unwrap();
-        }
+/// Builds a candidate, outside of its folder.
+fn built(name: &str, program: &str) -> PathBuf {
+    let into = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("candidate-{name}"));
+    build(&candidates().join(name), &into, program).unwrap()
+}
+
+/// Programs that are timed march what the reference marches, with as much work where they visit all.
+fn timed(command: impl Fn() -> Command, ahead: &[Wavefront]) {
+    let scene = shipped("single-400");
+    for &wavefront in ahead {
+        let mut command = command();
+        single_fibre(&mut command, &scene, wavefront, 2);
+        let found = program::turn(&mut command).unwrap();
+        let expected = march::turn::<f64>(&scene, wavefront, 1).unwrap();
+        assert_eq!(
+            (found.element_steps, found.checksum),
+            (expected.element_steps, expected.checksum)
+        );
+        assert!(found.seconds > 0.0);
     }
-    let made = Command::new("make").arg("--always-make").current_dir(&to).output().unwrap();
-    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
-    to
 }
 
 fn judged(command: &[OsString], exact: bool) -> Report {
@@ -62,14 +73,24 @@ fn judged(command: &[OsString], exact: bool) -> Report {
 #[test]
 fn the_c_candidate_is_equal_to_the_bit() {
     if has("gcc", &["--version"]) && has("make", &["--version"]) {
-        judged(&[built("c").join("march").into(), "--conform".into()], true);
+        let march = built("c", "march");
+        judged(&[march.clone().into(), "--conform".into()], true);
+        timed(|| Command::new(&march), &[Wavefront::Flagged, Wavefront::Ignored]);
     }
 }
 
 #[test]
 fn the_fortran_candidate_is_equal_to_the_bit() {
     if has("gfortran", &["--version"]) && has("make", &["--version"]) {
-        judged(&[built("fortran").join("fibres").into()], true);
+        let fibres = built("fortran", "fibres");
+        judged(&[fibres.clone().into()], true);
+        let time = || {
+            let mut command = Command::new(&fibres);
+            command.arg("--time");
+            command
+        };
+        // It knows no wavefront.
+        timed(time, &[Wavefront::Ignored]);
     }
 }
 

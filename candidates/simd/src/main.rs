@@ -1,14 +1,34 @@
 //! The engine as a candidate of `crossfibre conform`: reads questions, writes answers
-//! (`docs/conformance.md`).
+//! (`docs/conformance.md`). With `--time SCENE` it is timed instead.
 
+mod timed;
+
+use std::env;
 use std::io::{self, BufRead, Write};
+use std::process::ExitCode;
 
 use crossfibre::outcome::Outcome;
 use crossfibre::scene::Scene;
 use crossfibre_simd::{Engine, engine::supports};
 use serde_json::{Value, json};
 
-fn main() -> io::Result<()> {
+fn main() -> ExitCode {
+    let mut arguments = env::args().skip(1).peekable();
+    let done = if arguments.next_if(|argument| argument == "--time").is_some() {
+        timed::timed(arguments).map(|line| println!("{line}"))
+    } else {
+        converse().map_err(Into::into)
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("crossfibre-simd: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn converse() -> io::Result<()> {
     let mut out = io::stdout().lock();
     for line in io::stdin().lock().lines() {
         writeln!(out, "{}", answer(&line?))?;

@@ -18,6 +18,7 @@ pub use problems::{Problem, REFINEMENTS};
 pub use reading::{Quantity, Reading};
 pub use record::{Entry, Record};
 pub use run::{Found, Run, found};
+pub use times::Times;
 pub use variants::{VARIANTS, Variant};
 
 use crate::sweep::Point;
@@ -84,7 +85,10 @@ pub fn points(finest: f64) -> Vec<Point<Run>> {
     tasks(finest).into_iter().map(point).collect()
 }
 
-/// What is drawn and written from the record: file names with their contents.
-pub fn files(record: &Record) -> Vec<(&'static str, String)> {
-    vec![("record.json", record.json()), ("runs.csv", record.table())]
+/// What is drawn and written from the record and from times, if they were measured: file names with
+/// their contents.
+pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, String)> {
+    let mut files = vec![("record.json", record.json()), ("runs.csv", record.table())];
+    files.extend(times.map(|times| ("times.json", times.json())));
+    files
 }

@@ -75,3 +75,11 @@ pub struct TimedExact {
     /// What it takes.
     pub seconds: Seconds,
 }
+
+impl Times {
+    /// The times as JSON.
+    pub fn json(&self) -> String {
+        let json = serde_json::to_string_pretty(self).expect("its numbers are finite");
+        json + "\n"
+    }
+}
