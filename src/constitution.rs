@@ -118,7 +118,7 @@ impl<S: Number> Constitution<S> {
                 area: fibre.area,
                 path: PathEnergy { stored: nothing, dissipated: nothing },
                 bound,
-                block: Block::of(fibre.elements.min(<Printed as Paper<S>>::BLOCK)),
+                block: Block::of(fibre.elements.min(<Printed as Paper<S>>::BLOCK_BY_LAW)),
                 law,
             }
         }))

@@ -176,9 +176,10 @@ impl<S: Number> Along<S> {
         let dt = self.time_step;
         fibre.velocity[0] = driven;
         fibre.velocity[clamp] = fibre.clamp_velocity;
+        let block = if fibre.constitution.is_none() { P::BLOCK } else { P::BLOCK_BY_LAW };
         let mut start = 0;
         while start < front {
-            let end = (start + P::BLOCK).min(front);
+            let end = (start + block).min(front);
             let nodes = start + 1..(end + 1).min(clamp);
             self.velocities(
                 paper,

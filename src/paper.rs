@@ -133,6 +133,10 @@ pub trait Paper<S: Number> {
     /// the page's recursion.
     const BLOCK: usize = 768 / size_of::<S>();
 
+    /// The same for a fibre with another law than (7). Its energies are summed by blocks, so that their
+    /// last bits depend on it.
+    const BLOCK_BY_LAW: usize = 384;
+
     /// Says where the next equations are evaluated. Only a tracer listens.
     #[inline(always)]
     fn at(&self, _place: Place) {}

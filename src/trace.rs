@@ -84,6 +84,7 @@ fn vector<S: Number, const D: usize>(v: &Vector<S, D>) -> Value<'_, S> {
 /// Every method: evaluate by the wrapped edition, then report what the equation used.
 impl<S: Number, P: Paper<S>, K: Sink<S>> Paper<S> for Traced<'_, P, K> {
     const BLOCK: usize = 1;
+    const BLOCK_BY_LAW: usize = 1;
 
     fn at(&self, place: Place) {
         self.place.set(place);

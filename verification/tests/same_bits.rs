@@ -40,7 +40,7 @@ fn scenes() -> Vec<Scene> {
         scenes.push(scene);
     }
     scenes.push(fig3);
-    scenes.extend(of_other_laws(block));
+    scenes.extend(of_other_laws(<Printed as Paper<f64>>::BLOCK_BY_LAW));
     scenes
 }
 

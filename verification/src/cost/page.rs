@@ -42,7 +42,7 @@ pub fn page(costs: &[Cost]) -> String {
          Nothing in the first row is there for the others: a fibre of eqn (7) makes no call of a law and \
          remembers nothing for one, a scene without a crossing fibre holds none, and the traced march is \
          another instance of the same source. A law is compiled by itself and called once for a block of \
-         96 elements; its loop holds one law, with what is added to it, and nothing else. Under (4) the \
+         384 elements; its loop holds one law, with what is added to it, and nothing else. Under (4) the \
          work along the path is booked as well, which the page's law does not need.\n";
     page
 }

@@ -90,7 +90,7 @@ pub fn version(command: &mut Command) -> Option<String> {
 }
 
 /// Links of the calibration loop's chain.
-pub const LINKS: u64 = 1_000_000;
+pub const LINKS: u64 = 100_000;
 
 /// x ← (√x + 0.83)/1.37, a square root, a sum and a quotient that wait for each other: the clock and
 /// the latencies of the processor and nothing else. A link counts as an element-step.
