@@ -1,12 +1,13 @@
 //! The record of the study, format `crossfibre-work-precision/1`: everything that is drawn from it,
 //! and deterministic. Measured times are a record of their own.
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::problems::Problem;
 use super::reading::{Quantity, Reading};
 use super::run::Found;
-use super::{VARIANTS, tasks};
+use super::{Task, VARIANTS, found, run_of, tasks};
 use crate::tables::{Table, cell};
 
 /// The format that this version reads and writes.
@@ -45,22 +46,23 @@ pub struct Entry {
 impl Record {
     /// The record of all runs up to a refinement.
     pub fn of(finest: f64, found: Vec<Found>) -> Self {
-        let entry = |(task, found): (super::Task, Found)| {
-            let fibre = task.problem.scene(task.refinement).primary;
-            Entry {
-                problem: task.problem,
-                variant: task.variant.name.into(),
-                refinement: task.refinement,
-                elements: fibre.elements,
-                spacing: fibre.length / fibre.elements as f64,
-                found,
-            }
+        Self::around(tasks(finest).into_iter().zip(found).map(Entry::of).collect())
+    }
+
+    /// The record of some runs, made now.
+    pub fn computed(tasks: &[Task]) -> Self {
+        let entry = |&task: &Task| {
+            let Task { problem, variant, refinement } = task;
+            Entry::of((task, found(&run_of(problem, &variant, refinement))))
         };
-        Self {
-            format: FORMAT.into(),
-            version: env!("CARGO_PKG_VERSION").into(),
-            entries: tasks(finest).into_iter().zip(found).map(entry).collect(),
-        }
+        // The finest first, so that no core waits for it in the end.
+        let mut entries: Vec<_> = tasks.par_iter().rev().with_max_len(1).map(entry).collect();
+        entries.reverse();
+        Self::around(entries)
+    }
+
+    fn around(entries: Vec<Entry>) -> Self {
+        Self { format: FORMAT.into(), version: env!("CARGO_PKG_VERSION").into(), entries }
     }
 
     /// The runs of a problem in a variant, the coarsest mesh first.
@@ -134,6 +136,18 @@ impl Record {
 }
 
 impl Entry {
+    fn of((task, found): (Task, Found)) -> Self {
+        let fibre = task.problem.scene(task.refinement).primary;
+        Self {
+            problem: task.problem,
+            variant: task.variant.name.into(),
+            refinement: task.refinement,
+            elements: fibre.elements,
+            spacing: fibre.length / fibre.elements as f64,
+            found,
+        }
+    }
+
     /// A reading of the run, if it has one.
     pub fn reading(&self, quantity: Quantity) -> Option<&Reading> {
         self.found.readings.iter().find(|reading| reading.quantity == quantity)

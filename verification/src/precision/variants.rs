@@ -1,6 +1,6 @@
 //! The ways in which a problem is run.
 
-use crossfibre::errata::Corrections;
+use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::material::Coefficients;
 use crossfibre::scene::{Scene, Strain};
 use serde::{Deserialize, Serialize};
@@ -26,8 +26,8 @@ pub struct Variant {
     pub name: &'static str,
     /// The measure of strain.
     pub strain: Strain,
-    /// Whether the equations are corrected, or as printed.
-    pub corrected: bool,
+    /// What is corrected.
+    pub corrections: Corrections,
     /// α.
     pub courant: f64,
     /// Whether there is artificial viscosity.
@@ -42,7 +42,7 @@ pub struct Variant {
 const PAGE: Variant = Variant {
     name: "eqn (4), α = 1",
     strain: Strain::Incremental,
-    corrected: true,
+    corrections: Corrections::ALL,
     courant: 1.0,
     viscous: false,
     precision: Precision::Double,
@@ -52,8 +52,11 @@ const PAGE: Variant = Variant {
 const ENGINEERING: Variant =
     Variant { name: "engineering, α = 1", strain: Strain::Engineering, ..PAGE };
 
+const PRINTED: Variant =
+    Variant { name: "eqn (4), α = 1, printed", corrections: Corrections::NONE, ..PAGE };
+
 /// Every variant, the page's first.
-pub const VARIANTS: [Variant; 14] = [
+pub const VARIANTS: [Variant; 18] = [
     PAGE,
     Variant { name: "eqn (4), α = 0.95", courant: 0.95, ..PAGE },
     Variant { name: "eqn (4), α = 0.5", courant: 0.5, ..PAGE },
@@ -65,10 +68,26 @@ pub const VARIANTS: [Variant; 14] = [
     Variant {
         name: "engineering, α = 0.95, viscous", courant: 0.95, viscous: true, ..ENGINEERING
     },
-    Variant { name: "eqn (4), α = 1, printed", corrected: false, ..PAGE },
-    Variant { name: "engineering, α = 1, printed", corrected: false, ..ENGINEERING },
+    PRINTED,
+    Variant { name: "engineering, α = 1, printed", corrections: Corrections::NONE, ..ENGINEERING },
+    Variant {
+        name: "engineering, α = 1, no inertia",
+        corrections: Corrections::ALL.without(Erratum::CrossoverInertia),
+        ..ENGINEERING
+    },
     Variant { name: "eqn (4), α = 1, f32", precision: Precision::Single, ..PAGE },
+    Variant { name: "engineering, α = 1, f32", precision: Precision::Single, ..ENGINEERING },
     Variant { name: "eqn (4), α = 1, 106 bits", precision: Precision::DoubleDouble, ..PAGE },
+    Variant {
+        name: "engineering, α = 1, 106 bits",
+        precision: Precision::DoubleDouble,
+        ..ENGINEERING
+    },
+    Variant {
+        name: "eqn (4), α = 1, printed, 106 bits",
+        precision: Precision::DoubleDouble,
+        ..PRINTED
+    },
     Variant { name: "eqn (4), α = 1, no flags", flagged: false, ..PAGE },
 ];
 
@@ -94,14 +113,14 @@ impl Variant {
     /// Whether a problem is run in this way: what would be the same run as another is not.
     pub fn applies_to(&self, problem: Problem) -> bool {
         // Nothing that the ledger corrects is in a single fibre struck at a constant velocity.
-        self.corrected || problem.has_crossover()
+        self.corrections == Corrections::ALL || problem.has_crossover()
     }
 
     /// The scene run in this way.
     pub fn of(&self, mut scene: Scene) -> Scene {
         scene.strain = self.strain;
         scene.courant = self.courant;
-        scene.corrections = if self.corrected { Corrections::ALL } else { Corrections::NONE };
+        scene.corrections = self.corrections;
         let viscosity = self.viscous.then_some(VISCOSITY);
         scene.primary.material.artificial_viscosity = viscosity;
         if let Some(secondary) = &mut scene.secondary {
