@@ -19,6 +19,7 @@ use crate::cases::support::{SCENES, coarse_fig3, shipped};
 use crate::cases::{Case, Check, Verdict};
 use crate::claims::{self, Claim};
 use crate::ledger_effects::{self, Effects};
+use crate::precision::{self, stored::stored};
 use crate::worked::Worked;
 
 /// The format that this version reads and writes.
@@ -43,6 +44,8 @@ pub struct Record {
     pub claims: Vec<Claim>,
     /// One step worked by hand.
     pub worked: String,
+    /// How accurate for how much work: what the stored record of the study says, in Markdown.
+    pub accuracy: String,
 }
 
 /// A case and what came of it.
@@ -159,6 +162,7 @@ impl Record {
             effects: ledger_effects::measure(),
             claims: claims::examine(),
             worked: worked_step(),
+            accuracy: precision::page(stored()),
         }
     }
 
@@ -179,6 +183,7 @@ impl Record {
             },
             claims: vec![],
             worked: String::new(),
+            accuracy: String::new(),
         }
     }
 

@@ -6,6 +6,7 @@ use assert_cmd::Command;
 use crossfibre::exact::smith::{Law, smith};
 use crossfibre_verification::cases::crossover::sideways;
 use crossfibre_verification::cases::support::{exact_primary, marched, shipped};
+use crossfibre_verification::precision::{answer, stored::stored};
 
 const README: &str = include_str!("../../README.md");
 
@@ -60,4 +61,12 @@ fn the_figures_are_measured() {
     says("the paper's 1.45 %".to_owned());
     assert!((strain(wave_speed) - 1.45).abs() < 0.005); // the most that two decimals can mean
     says(format!("gives {:.2} %", strain(exact_primary(&shipped("single-400-1440")).wave_speed())));
+}
+
+#[test]
+fn the_answer_is_that_of_the_record() {
+    let between = README.split("<!-- answer -->\n").nth(1).unwrap();
+    let says = between.split("<!-- end of answer -->").next().unwrap();
+    let core = answer::core(stored());
+    assert!(says.trim() == core.trim(), "between the markers README.md should say:\n\n{core}");
 }

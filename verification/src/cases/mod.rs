@@ -13,6 +13,7 @@ mod identities;
 pub mod invariance;
 pub(crate) mod materials;
 mod motion;
+mod precision;
 mod projectile;
 mod smith;
 mod stability;
@@ -115,6 +116,7 @@ pub fn all() -> Vec<Case> {
         materials::CASES,
         conformance::CASES,
         golden::CASES,
+        precision::CASES,
         &extremes::cases(),
     ]
     .concat()

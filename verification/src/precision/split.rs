@@ -29,6 +29,9 @@ pub const SPLIT: [(&str, &str, Option<&str>); 3] = [
     ("eqn (4), α = 1, printed", "eqn (4), α = 1, printed, 106 bits", None),
 ];
 
+/// The part of an error by which the limit of a norm may come out negative.
+const NOTHING: f64 = 0.01;
+
 /// Orders between which a limit is looked for.
 const ORDERS: (f64, f64) = (0.15, 6.0);
 
@@ -111,7 +114,9 @@ impl Split {
         let (total, exactly) = (error(variant)?, error(in_106_bits)?);
         let errors = super::orders::errors(&series, quantity, 0.0);
         let rest = match limit(&errors, uncertain(problem, &series, quantity)) {
-            Ok((limit, uncertainty)) if is_norm(quantity) && limit + uncertainty < 0.0 => {
+            Ok((limit, uncertainty))
+                if is_norm(quantity) && limit + uncertainty < -NOTHING * total =>
+            {
                 let why = "the fitted one is negative, and a norm is not: orders bend".into();
                 Rest::Together { both: exactly, why }
             }

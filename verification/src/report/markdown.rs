@@ -7,24 +7,25 @@ use crate::claims::Finding;
 use crate::ledger_effects::{CrossoverRow, Effects};
 use crate::record::{CheckRecord, Record};
 
+/// Writing to a string cannot fail.
+macro_rules! put {
+    ($out:expr, $($arg:tt)*) => {
+        let _ = writeln!($out, $($arg)*);
+    };
+}
+
 /// The whole file.
 pub fn render(record: &Record) -> String {
     let mut out = String::new();
     head(&mut out, record);
     claims(&mut out, record);
+    put!(out, "{}", record.accuracy);
     ledger(&mut out, record);
     effects(&mut out, &record.effects);
     checks(&mut out, record);
     worked(&mut out, record);
     scenes(&mut out, record);
     out
-}
-
-/// Writing to a string cannot fail.
-macro_rules! put {
-    ($out:expr, $($arg:tt)*) => {
-        let _ = writeln!($out, $($arg)*);
-    };
 }
 
 /// A bound in words.
@@ -89,7 +90,8 @@ fn head(out: &mut String, record: &Record) {
          time](docs/exact/fronts.md), [axial waves and \
          dispersion](docs/exact/axial-and-dispersion.md). The paper's figures, drawn from the scheme and \
          from exact solutions, are in [docs/figures](docs/figures/README.md), the largest stable Courant \
-         numbers in [docs/stability](docs/stability/README.md). All numbers are \
+         numbers in [docs/stability](docs/stability/README.md). What accuracy \
+         costs is [below](#how-accurate-for-how-much-work). All numbers are \
          deterministic, so a bound is held to the error that it was set for: a tolerance \
          of more than {HEAD_ROOM} times its error fails the check as too loose, as does a fault that is \
          more than {HEAD_ROOM} times the least that must show. *Head-room* is the factor between the two.\n"
