@@ -96,7 +96,8 @@ pub fn run(args: Args) -> Result<Exit> {
         }
         Study::WorkPrecision(WorkPrecision { sweep, quick }) => {
             let finest = if quick { precision::QUICK } else { precision::FINEST };
-            let draw = |_: &[_], found| precision::files(&precision::Record::of(finest, found));
+            let draw =
+                |_: &[_], found| precision::files(&precision::Record::of(finest, found), None);
             let points = precision::points(finest);
             study(sweep, precision::STUDY, &points, precision::found, draw)
         }

@@ -6,6 +6,8 @@
 
 pub mod advice;
 pub mod exact;
+mod page;
+mod pictures;
 pub mod problems;
 pub mod reading;
 pub mod record;
@@ -17,6 +19,7 @@ pub use problems::{Problem, REFINEMENTS};
 pub use reading::{Quantity, Reading};
 pub use record::{Entry, Record};
 pub use run::{Found, Run, found};
+pub use times::Times;
 pub use variants::{VARIANTS, Variant};
 
 use crate::sweep::Point;
@@ -83,7 +86,15 @@ pub fn points(finest: f64) -> Vec<Point<Run>> {
     tasks(finest).into_iter().map(point).collect()
 }
 
-/// What is drawn and written from the record: file names with their contents.
-pub fn files(record: &Record) -> Vec<(&'static str, String)> {
-    vec![("record.json", record.json()), ("runs.csv", record.table())]
+/// What is drawn and written from the record, and from measured times if there are any: file names with
+/// their contents.
+pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, String)> {
+    let mut files = vec![
+        ("README.md", page::page(record, times)),
+        ("record.json", record.json()),
+        ("runs.csv", record.table()),
+    ];
+    files.extend(pictures::files(record, times));
+    files.extend(times.map(|times| ("times.md", page::times::page(record, times))));
+    files
 }
