@@ -11,7 +11,7 @@ use super::times::Times;
 pub fn page(record: &Record, times: Option<&Times>) -> String {
     let mut sections = vec![head(record)];
     sections.extend(shown::work(record));
-    sections.extend([shown::convergence(record), shown::floors()]);
+    sections.extend([shown::convergence(record), shown::floors(record)]);
     sections.extend(times.map(|_| shown::time()));
     sections.extend([
         shown::profiles(),
@@ -27,6 +27,9 @@ pub fn page(record: &Record, times: Option<&Times>) -> String {
 
 fn head(record: &Record) -> String {
     let all = record.entries.len();
+    let spacings = || record.entries.iter().map(|entry| 1e3 * entry.spacing);
+    let (finest, coarsest) =
+        (spacings().fold(f64::INFINITY, f64::min), spacings().fold(0.0, f64::max));
     let completed = record.entries.iter().filter(|e| e.found.outcome.is_completed()).count();
     format!(
         "\
@@ -37,8 +40,8 @@ Written by
     crossfibre study work-precision --out docs/work-precision
 
 and the same to the byte wherever that runs: every number is of the record, [record.json](record.json).
-Four problems with exact solutions, each in many variants on meshes of 10 mm down to 0.03 mm: {all} runs, of
-which {completed} completed and the others are drawn as failed.
+Four problems with exact solutions, each in many variants on meshes with elements from {coarsest:.1} mm down to
+{finest:.3} mm: {all} runs, of which {completed} completed and the others are drawn as failed.
 
 **Work** is counted in element-steps: elements visited, summed over the steps. Halving the elements, and
 with them the steps, costs four times as many. An error of order p in the length of an element falls by the

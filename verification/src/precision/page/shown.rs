@@ -1,6 +1,6 @@
 //! The pictures, with what they show.
 
-use super::super::pictures::{BASES, convergence, work};
+use super::super::pictures::{BASES, convergence, floors, work};
 use super::super::problems::Problem;
 use super::super::reading::Quantity;
 use super::super::record::{Entry, Record};
@@ -40,6 +40,10 @@ fn number(x: Option<f64>) -> String {
     x.map_or("–".into(), |x| format!("{x:.1e}"))
 }
 
+fn percent(x: Option<f64>) -> String {
+    x.map_or("–".into(), |x| format!("{:.2} %", 100.0 * x))
+}
+
 /// The errors of both measures on the finest mesh, engineering strain first.
 fn both(record: &Record, problem: Problem, quantity: Quantity) -> [String; 2] {
     let [eqn, engineering] = BASES.map(|variant| number(size(record, problem, variant, quantity)));
@@ -50,9 +54,8 @@ fn both(record: &Record, problem: Problem, quantity: Quantity) -> [String; 2] {
 fn dearer(record: &Record, problem: Problem, level: f64) -> String {
     let cost = |variant: &str| {
         let entries = record.series(problem, variant).into_iter().rev();
-        let keeps = |entry: &&Entry| {
-            entry.error(Quantity::StrainL1).is_some_and(|error| error <= level)
-        };
+        let keeps =
+            |entry: &&Entry| entry.error(Quantity::StrainL1).is_some_and(|error| error <= level);
         entries.take_while(keeps).last().map(|entry| entry.found.element_steps as f64)
     };
     let [half, one] = ["engineering, α = 0.5", "engineering, α = 1"].map(cost);
@@ -78,7 +81,7 @@ makes the front wider still. Errors of the plateau change sign from mesh to mesh
 
 fn crossed(record: &Record) -> String {
     let problem = Problem::Crossed;
-    let of = |quantity| number(size(record, problem, "eqn (4), α = 1, printed", quantity));
+    let of = |quantity| percent(size(record, problem, "eqn (4), α = 1, printed", quantity));
     let [reflection, reflection_by_4] = both(record, problem, Quantity::Reflection);
     format!(
         "\
@@ -95,13 +98,13 @@ engineering strain the printed coupling does not survive refinement.
 }
 
 fn unequal(record: &Record) -> String {
-    let of = |variant| number(size(record, Problem::Unequal, variant, Quantity::SecondaryL1));
+    let of = |variant| percent(size(record, Problem::Unequal, variant, Quantity::SecondaryL1));
     format!(
         "\
 Two fibres of different stiffness, density and mesh, after reflections at both clamps: many fronts, and every
 one is spread. The same orders, larger constants. The printed equations are off by {} in the secondary's
 profile on the finest mesh, corrected by {}. Under eqn (4) the bound of the exact solution, which replaces
-the curved law by chords, is near the errors themselves: they are known to that, and no better.
+the curved law by chords, comes up to the errors themselves: they are known to that, and no better.
 ",
         of("eqn (4), α = 1, printed"),
         of("eqn (4), α = 1")
@@ -113,8 +116,8 @@ fn rod(record: &Record) -> String {
     let [own, by_4] = both(record, problem, Quantity::StrainL1);
     format!(
         "\
-A viscoelastic law along a straight line, strained by 5e-4. At α = 1 with engineering strain the front
-stays in one element, and L1 falls with order 1 to {own}; by eqn (4) it ends at {by_4}, the difference
+A viscoelastic law along a straight line, strained by less than a thousandth. At α = 1 with engineering strain the front
+stays in one element, and L1 falls to {own}; by eqn (4) it ends at {by_4}, the difference
 between the two measures at this strain. In 24 bits the strains of so small a deformation drown in
 rounding on all but the coarsest meshes.
 "
@@ -174,20 +177,23 @@ begins; or why there is none: the orders of each two meshes must agree to {} and
 }
 
 /// What errors cannot fall below.
-pub fn floors() -> String {
-    "\
+pub fn floors(record: &Record) -> String {
+    format!(
+        "\
 ## What errors cannot fall below
 
 ![Errors of the profile, rounding, and the bound of the exact solution](floors.svg)
 
 The error of the strain profile, what of it is rounding, and what the exact solution admits itself. Rounding
-is the difference of the same run in 53 (or 24) bits from the one in 106; it grows with the number of
-steps. In 53 bits it is of no account on any of these meshes; in 24 it is the whole error from some
-mesh on, and then ends the run. An exact solution of the engineering law needs no approximation, and its
-bound is rounding or the fronts that it merges; under eqn (4) the law is replaced by chords, and the
-bound, drawn also in the pictures above, is the most that their difference can make.
-"
-    .into()
+is the difference of the same run in 53 (or 24) bits from the one in 106. In 53 bits it is {:.1e} at the most
+and of no account on any of these meshes; in 24 it becomes the whole error as the mesh is refined, and
+then ends the run. An exact solution of the engineering law needs no approximation: its bound is
+rounding, or the fronts that it merges, or zero, which has no place here. Under eqn (4) the law is
+replaced by chords, and the bound, drawn also in the pictures above, is the most that their difference
+can make.
+",
+        floors::greatest_rounding(record)
+    )
 }
 
 /// Times.
@@ -213,12 +219,13 @@ pub fn profiles() -> String {
 ![Strain along both fibres of Fig. 3 on four meshes](profiles.svg)
 
 Strain along both fibres of Fig. 3 at 28.7 µs, by eqn (4) and with engineering strain, and the exact
-profile of each law. On 10 mm neither fibre shows what the paper describes; on 2 mm, the paper's mesh,
-the primary does and the secondary does not; the plateaus are there from 0.5 mm on.
+profile of each law. Elements of 10 mm show no plateau; those of 2 mm, the paper's mesh, show the primary's
+and not the secondary's; from 0.5 mm on all are there.
 
 ![The front and the kink](close-ups.svg)
 
-The front overshoots by the same share on every mesh: refinement makes it narrower, not lower. Under
+The front overshoots by the same share on all meshes but the coarsest: refinement makes it narrower, not
+lower. Under
 eqn (4) the front is a fan that widens with time, which a fine mesh resolves; with engineering strain it is
 a jump for ever. A kink leaves no trace in the exact strain, so its inclination is shown: it lags, and its
 width falls more slowly than an element's.
@@ -234,8 +241,8 @@ pub fn space_time() -> String {
 ![Strain of the primary over place and time, marched](xt.svg)
 ![The same by exact fronts](xt-exact.svg)
 
-Strain of the primary of Fig. 3 with engineering strain for twice the paper's time: marched, and by the exact
-fronts. The front runs out, loses a little at the crossover, doubles at the clamp and comes back; the
+Strain of the primary of Fig. 3 with engineering strain for some twice the paper's time: marched, and by
+the exact fronts. The front runs out, loses a little at the crossover, doubles at the clamp and turns back; the
 reflected wave returns from the crossover to the impact point at the paper's 28.7 µs. What the march adds
 are stripes behind the fronts, its overshoot and ringing.
 "

@@ -102,9 +102,8 @@ fn marches(record: &Record, times: &Times) -> String {
         ]
     };
     let rows: Vec<_> = times.runs.iter().map(row).collect();
-    let head = [
-        "problem", "contestant", "elements", "L1", "least", "median", "spread", "instructions",
-    ];
+    let head =
+        ["problem", "contestant", "elements", "L1", "least", "median", "spread", "instructions"];
     format!("## Marches\n\n{}", markdown(&head, &rows))
 }
 
@@ -122,9 +121,8 @@ fn solutions(times: &Times) -> String {
         ]
     };
     let rows: Vec<_> = times.exact.iter().map(row).collect();
-    let head = [
-        "problem", "strain", "resolution", "meetings", "bound of L1", "least", "median", "spread",
-    ];
+    let head =
+        ["problem", "strain", "resolution", "meetings", "bound of L1", "least", "median", "spread"];
     format!(
         "## Exact fronts\n\nThe mean error of strain that a solution admits is a bound of its L1.\n\n{}",
         markdown(&head, &rows)

@@ -33,8 +33,7 @@ pub const BAND: f64 = 0.1;
 /// The picture.
 pub fn picture(record: &Record) -> String {
     let abscissa = Abscissa::ElementLength;
-    let errors =
-        Errors { record, problem: PROBLEM, abscissa, variants: &VARIANTS, width: 430.0 };
+    let errors = Errors { record, problem: PROBLEM, abscissa, variants: &VARIANTS, width: 430.0 };
     rows(&QUANTITIES.map(|quantity| errors.panel(quantity)), 3)
 }
 
@@ -72,5 +71,25 @@ pub fn order(record: &Record, variant: &str, quantity: Quantity) -> String {
 
 fn words(law: &PowerLaw) -> String {
     let PowerLaw { order, half_width, coarsest, .. } = law;
-    format!("{order:.2} ± {half_width:.2} from {} mm", (1e4 * coarsest).round() / 10.0)
+    format!("{order:.2} ± {half_width:.2} from {} mm", (1e6 * coarsest).round() / 1e3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::{entry, record};
+    use super::*;
+
+    #[test]
+    fn the_order_that_errors_were_made_of_is_found() {
+        let variant = VARIANTS[1];
+        let ladder = |error: fn(f64) -> f64| {
+            let spacings = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4];
+            record(spacings.map(|h| entry(variant, h, Some(error(h)))).into())
+        };
+        let said = |error| order(&ladder(error), variant, Quantity::StrainL1);
+        assert_eq!(said(|h| 71.0 * pxfm::f_pow(h, 0.83)), "0.83 ± 0.00 from 4 mm");
+        // Below the bound, 2.3e-5, from 0.5 mm on.
+        assert_eq!(said(|h| 11.0 * h * h), "within the bound");
+        assert_eq!(said(|h| h * (3e3 * h - 1.3) * (3e3 * h - 5.0)), "swings");
+    }
 }

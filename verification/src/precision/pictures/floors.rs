@@ -3,6 +3,7 @@
 use super::super::problems::Problem;
 use super::super::reading::Quantity;
 use super::super::record::{Entry, Record};
+use super::BASES;
 use super::errors::ends;
 use crate::plot::{Axis, Colour, Mark, Panel, Series, Style, rows};
 
@@ -34,13 +35,40 @@ pub fn picture(record: &Record) -> String {
     rows(&Problem::ALL.map(|problem| panel(record, problem)), 2)
 }
 
+/// The most that rounding to 53 bits makes of the error of a profile anywhere.
+pub fn greatest_rounding(record: &Record) -> f64 {
+    let of = |problem: Problem| {
+        BASES.into_iter().flat_map(move |base| {
+            let fine = record.series(problem, &format!("{base}, 106 bits"));
+            rounding(&record.series(problem, base), &fine)
+        })
+    };
+    Problem::ALL.into_iter().flat_map(of).map(|point| point.1).fold(0.0, f64::max)
+}
+
+/// Lengths of elements, mm, and what rounding makes of the error on them: the difference from the run in
+/// 106 bits.
+fn rounding(coarse: &[&Entry], fine: &[&Entry]) -> Vec<(f64, f64)> {
+    let differs = |precise: &&Entry| {
+        let same = coarse.iter().find(|entry| entry.elements == precise.elements)?;
+        Some((x(precise), (error(same)? - error(precise)?).abs()))
+    };
+    fine.iter().filter_map(differs).collect()
+}
+
+fn error(entry: &Entry) -> Option<f64> {
+    entry.error(Quantity::StrainL1)
+}
+
+fn x(entry: &Entry) -> f64 {
+    1e3 * entry.spacing
+}
+
 fn panel(record: &Record, problem: Problem) -> Panel {
     let mut series = Vec::new();
     for Measure { name, colours, style, bound } in MEASURES {
         let of = |way: &str| record.series(problem, &format!("{name}, α = 1{way}"));
         let double = of("");
-        let error = |entry: &Entry| entry.error(Quantity::StrainL1);
-        let x = |entry: &Entry| 1e3 * entry.spacing;
         let own = double.iter().map(|e| (x(e), error(e).unwrap_or(f64::NAN))).collect();
         series.push(Series::new(
             format!("{name}: the error itself"),
@@ -49,18 +77,11 @@ fn panel(record: &Record, problem: Problem) -> Panel {
             own,
         ));
         let fine = of(", 106 bits");
-        let rounding = |coarse: &[&Entry]| -> Vec<(f64, f64)> {
-            let differs = |precise: &&Entry| {
-                let same = coarse.iter().find(|e| e.elements == precise.elements)?;
-                Some((x(precise), (error(same)? - error(precise)?).abs()))
-            };
-            fine.iter().filter_map(differs).collect()
-        };
         for (way, bits, colour, mark) in [
             ("", "53 bits", colours[1], Mark::Square),
             (", f32", "24 bits", colours[2], Mark::Diamond),
         ] {
-            let points = rounding(&of(way));
+            let points = rounding(&of(way), &fine);
             if !points.is_empty() {
                 let name = format!("{name}: rounding, {bits} less 106");
                 series.push(Series::new(name, colour, style(mark), points));
@@ -77,7 +98,7 @@ fn panel(record: &Record, problem: Problem) -> Panel {
     Panel {
         title: problem.title().into(),
         x: Axis::logarithmic("length of an element, mm", from, to),
-        y: Axis::logarithmic("of the strain profile, L1", low, high),
+        y: Axis::logarithmic("part of L1 of the strain profile", low, high),
         series,
         width: 645.0,
     }

@@ -3,7 +3,7 @@
 
 pub mod convergence;
 mod errors;
-mod floors;
+pub mod floors;
 mod looks;
 pub mod profiles;
 mod space_time;
@@ -33,4 +33,45 @@ pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, Strin
     ]);
     files.extend(times.map(|times| ("time.svg", time::picture(record, times))));
     files
+}
+
+#[cfg(test)]
+mod made_up {
+    //! Records of runs that were never made.
+
+    use crossfibre::outcome::Outcome;
+    use crossfibre::place::{Fibre, Place};
+
+    use super::super::problems::Problem;
+    use super::super::reading::{Quantity, Reading};
+    use super::super::record::{Entry, FORMAT, Record};
+    use super::super::run::Found;
+
+    /// A run on elements of a length, m, with an error of L1; none for a run that diverged.
+    pub fn entry(variant: &str, spacing: f64, error: Option<f64>) -> Entry {
+        let elements = (0.3 / spacing).round() as usize;
+        let place = Place { step: 7, fibre: Fibre::Primary, index: 3 };
+        let reading = |value| Reading { quantity: Quantity::StrainL1, value, exact: Some(0.0) };
+        Entry {
+            problem: Problem::Crossed,
+            variant: variant.into(),
+            refinement: 2e-3 / spacing,
+            elements,
+            spacing,
+            found: Found {
+                outcome: error
+                    .map_or(Outcome::Diverged { place, equation: 6 }, |_| Outcome::Completed),
+                time: 28.7e-6,
+                steps: elements as u64,
+                element_steps: (elements * elements) as u64,
+                evaluations: 0,
+                readings: error.map(reading).into_iter().collect(),
+                floor: Some(2.3e-5),
+            },
+        }
+    }
+
+    pub fn record(entries: Vec<Entry>) -> Record {
+        Record { format: FORMAT.into(), version: String::new(), entries }
+    }
 }

@@ -19,7 +19,7 @@ use crate::wide;
 const MESHES: [(f64, Colour, Style); 4] = [
     (0.2, Colour::Orange, Style::Marked(Mark::Circle)),
     (1.0, Colour::Vermillion, Style::Solid(1.3)),
-    (4.0, Colour::Sky, Style::Solid(1.3)),
+    (4.0, Colour::Green, Style::Solid(1.3)),
     (16.0, Colour::Blue, Style::Solid(1.3)),
 ];
 
@@ -32,20 +32,10 @@ struct View {
     every: f64,
 }
 
-const PRIMARY: View = View {
-    title: "primary",
-    fibre: Fibre::Primary,
-    from: 0.0,
-    to: 220.0,
-    every: 20.0,
-};
-const SECONDARY: View = View {
-    title: "secondary",
-    fibre: Fibre::Secondary,
-    from: 0.0,
-    to: 110.0,
-    every: 20.0,
-};
+const PRIMARY: View =
+    View { title: "primary", fibre: Fibre::Primary, from: 0.0, to: 220.0, every: 20.0 };
+const SECONDARY: View =
+    View { title: "secondary", fibre: Fibre::Secondary, from: 0.0, to: 110.0, every: 20.0 };
 const FRONT: View = View {
     title: "the front on the primary",
     fibre: Fibre::Primary,
@@ -210,7 +200,10 @@ impl Profiles {
             for mesh in 0..MESHES.len() {
                 let of_variants = BASES.map(|variant| {
                     let of = |p: &&Profile| p.variant == variant && p.mesh == mesh;
-                    (self.profiles.iter().find(of), self.answers.iter().find(|a| a.variant == variant))
+                    (
+                        self.profiles.iter().find(of),
+                        self.answers.iter().find(|a| a.variant == variant),
+                    )
                 });
                 let Some(first) = of_variants[0].0 else { continue };
                 for i in 0..strain(&first.result, view.fibre).len() {

@@ -78,6 +78,11 @@ fn panel(title: String, label: &str, x: (f64, f64), series: Vec<Series>) -> Pane
 fn against_time(record: &Record, times: &Times, problem: Problem) -> Panel {
     let marches = series(record, times, problem, |run| Some(run.seconds.least));
     let (least, _) = ends(marches.iter().flat_map(|series| series.points.iter().map(|p| p.1)));
+    let its_exact = || times.exact.iter().filter(move |exact| exact.problem == problem);
+    // A bound far below the errors of marches stands a little below everything else.
+    let near = its_exact().map(|e| e.error_bound).filter(|bound| *bound > 0.05 * least);
+    let lowest = 0.4 * near.fold(least, f64::min);
+    let bound = |bound: f64| bound.max(lowest);
     // From the least to the greatest.
     let is_its = |run: &&TimedRun| run.problem == problem;
     let bars = times.runs.iter().filter(is_its).flat_map(|run| {
@@ -90,9 +95,7 @@ fn against_time(record: &Record, times: &Times, problem: Problem) -> Panel {
         (Strain::Engineering, "exact fronts, engineering", Style::Marked(Mark::Triangle)),
         (Strain::Incremental, "exact fronts, eqn (4)", Style::MarkedDashed(Mark::Triangle)),
     ] {
-        let solved = times.exact.iter().filter(|e| e.problem == problem && e.strain == strain);
-        // A bound below all errors of marches stands a little below them.
-        let bound = |bound: f64| bound.max(0.5 * least);
+        let solved = its_exact().filter(|exact| exact.strain == strain);
         let points: Vec<_> =
             solved.clone().map(|e| (e.seconds.least, bound(e.error_bound))).collect();
         if !points.is_empty() {
@@ -114,4 +117,67 @@ fn against_instructions(record: &Record, times: &Times, problem: Problem) -> Pan
     let all = series(record, times, problem, |run| run.instructions);
     let x = ends(all.iter().flat_map(|series| series.points.iter().map(|p| p.0)));
     panel(format!("{}: instructions", problem.title()), "machine instructions", x, all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::times::{FORMAT, TimedExact};
+    use super::super::made_up::{entry, record};
+    use super::*;
+
+    fn seconds(least: f64) -> Seconds {
+        Seconds { least, median: 1.1 * least, greatest: 1.7 * least }
+    }
+
+    fn drawn(bound: f64) -> Panel {
+        let run = |contestant: &str, elements| TimedRun {
+            problem: Problem::Crossed,
+            contestant: contestant.into(),
+            elements,
+            seconds: seconds(1e-8 * (elements * elements) as f64),
+            instructions: None,
+        };
+        let exact = TimedExact {
+            problem: Problem::Crossed,
+            strain: Strain::Engineering,
+            resolution: 1e-9,
+            meetings: 31,
+            error_bound: bound,
+            seconds: seconds(3e-5),
+        };
+        let times = Times {
+            format: FORMAT.into(),
+            machine: "none".into(),
+            calibration: seconds(0.1),
+            rounds: 3,
+            runs: vec![run(BASES[0], 100), run(ENGINE, 100), run(BASES[0], 300)],
+            exact: vec![exact],
+        };
+        let record =
+            record(vec![entry(BASES[0], 3e-3, Some(0.043)), entry(BASES[0], 1e-3, Some(0.017))]);
+        against_time(&record, &times, Problem::Crossed)
+    }
+
+    fn points<'p>(panel: &'p Panel, name: &str) -> &'p [(f64, f64)] {
+        let named = panel.series.iter().find(|series| series.name.as_deref() == Some(name));
+        &named.unwrap().points
+    }
+
+    #[test]
+    fn the_engine_has_the_errors_of_the_first_variant() {
+        let panel = drawn(0.0);
+        assert_eq!(points(&panel, BASES[0]), [(1e-8 * 1e4, 0.043), (1e-8 * 9e4, 0.017)]);
+        assert_eq!(points(&panel, ENGINE), [(1e-8 * 1e4, 0.043)]);
+    }
+
+    #[test]
+    fn exact_fronts_stand_at_their_bound_or_below_everything() {
+        let height = |panel: &Panel| points(panel, "exact fronts, engineering")[0].1;
+        assert_eq!(height(&drawn(0.0041)), 0.0041);
+        for nothing in [0.0, 1e-16] {
+            let panel = drawn(nothing);
+            let height = height(&panel);
+            assert!(panel.y.from < height && height < 0.5 * 0.017, "{height}");
+        }
+    }
 }
