@@ -110,15 +110,21 @@ fn map(scene: &Scene, by: &str, cells: Vec<f64>) -> String {
 mod tests {
     use super::*;
 
-    /// The maps hold the same motion: ∫|marched − exact| over both place and time. A row too late or too
-    /// early, or a column, moves the front by 2.1 or 1.25 mm and doubles that.
+    /// The maps hold the same motion: ∫|marched − exact| over both place and time, over ∫|exact|.
     #[test]
     fn the_marched_map_is_that_of_the_exact_fronts() {
         let scene = scene();
         let (marched, exact) = (marched_cells(&scene), exact_cells(&scene));
-        let apart: f64 = marched.iter().zip(&exact).map(|(a, b)| (a - b).abs()).sum();
-        let found = apart / exact.iter().sum::<f64>();
-        // Measured: 1e-9; the width of the front on elements of 0.5 mm, and half a row on the mean.
-        assert!(found < 1e-9, "{found}");
+        let apart = |marched: &[f64], exact: &[f64]| {
+            let apart: f64 = marched.iter().zip(exact).map(|(a, b)| (a - b).abs()).sum();
+            apart / exact.iter().sum::<f64>()
+        };
+        // Measured: 1.07e-2, the width of the fronts on elements of 0.5 mm.
+        let (found, most) = (apart(&marched, &exact), 1.4e-2);
+        assert!(found < most, "{found}");
+        // Two rows too far to either side are seen. One is not on one side: marched fronts lag.
+        let shift = 2 * COLUMNS;
+        let shifted = [apart(&marched[shift..], &exact), apart(&marched, &exact[shift..])];
+        assert!(shifted.iter().all(|shifted| *shifted > most), "{shifted:?}");
     }
 }
