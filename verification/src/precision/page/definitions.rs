@@ -104,8 +104,9 @@ const REFINEMENT: f64 = 8.0;
 /// What a variant costs.
 pub fn costs(record: &Record) -> String {
     let of = |name: &str| {
-        let entries = record.series(Problem::Crossed, name).into_iter();
-        entries.filter(|e| e.refinement == REFINEMENT && e.found.outcome.is_completed()).last()
+        let mut entries = record.series(Problem::Crossed, name).into_iter();
+        let refinement = REFINEMENT;
+        entries.find(|e| e.refinement == refinement && e.found.outcome.is_completed())
     };
     let first = of(VARIANTS[0].name);
     let rows: Vec<Vec<String>> = VARIANTS

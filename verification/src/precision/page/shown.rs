@@ -69,7 +69,7 @@ fn single(record: &Record) -> String {
     format!(
         "\
 The plateau and the energy tell the measures of strain apart. With engineering strain their errors fall
-as long as the mesh is refined, to {plateau} and {energy}; by eqn (4) they stay near {plateau_by_4} and {energy_by_4},
+with the mesh, to {plateau} and {energy}; by eqn (4) they stay near {plateau_by_4} and {energy_by_4},
 since its strain depends on the path. Artificial viscosity smooths the path, and both fall again. The
 profile is another matter: its error is the width of the front and of the kink, and α = 1 is the
 cheapest way to a narrow front. At α = 0.5 an L1 of 1 % takes {} times the element-steps, and viscosity

@@ -110,7 +110,7 @@ fn against_time(record: &Record, times: &Times, problem: Problem) -> Panel {
 fn bar(seconds: &Seconds, y: f64, colour: Colour) -> Option<Series> {
     let points = vec![(seconds.least, y), (seconds.greatest, y)];
     let style = Style::Solid(1.2);
-    y.is_finite().then(|| Series { name: None, colour, style, points })
+    y.is_finite().then_some(Series { name: None, colour, style, points })
 }
 
 fn against_instructions(record: &Record, times: &Times, problem: Problem) -> Panel {
