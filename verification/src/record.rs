@@ -162,7 +162,7 @@ impl Record {
             effects: ledger_effects::measure(),
             claims: claims::examine(),
             worked: worked_step(),
-            accuracy: precision::page(stored()),
+            accuracy: precision::section(stored()),
         }
     }
 

@@ -9,6 +9,8 @@ pub mod answer;
 pub mod exact;
 pub mod measure;
 pub mod orders;
+mod page;
+mod pictures;
 pub mod problems;
 pub mod reading;
 pub mod record;
@@ -100,7 +102,7 @@ pub fn points(finest: f64) -> Vec<Point<Run>> {
 }
 
 /// What the study says, as a section in Markdown: the answer, the orders, and where errors come from.
-pub fn page(record: &Record) -> String {
+pub fn section(record: &Record) -> String {
     format!(
         "## How accurate for how much work\n\n\
          From [the stored record](docs/work-precision/record.json) of `crossfibre study work-precision`, of \
@@ -124,10 +126,18 @@ pub fn page(record: &Record) -> String {
     )
 }
 
-/// What is drawn and written from the record and from times, if they were measured: file names with
+/// What is drawn and written from the record, and from measured times if there are any: file names with
 /// their contents.
 pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, String)> {
-    let mut files = vec![("record.json", record.json()), ("runs.csv", record.table())];
-    files.extend(times.map(|times| ("times.json", times.json())));
+    let mut files = vec![
+        ("README.md", page::page(record, times)),
+        ("record.json", record.json()),
+        ("runs.csv", record.table()),
+    ];
+    files.extend(pictures::files(record, times));
+    if let Some(times) = times {
+        files.push(("times.json", times.json()));
+        files.push(("times.md", page::times::page(record, times)));
+    }
     files
 }
