@@ -16,7 +16,7 @@ pub fn look(contestant: &str) -> (Colour, Style) {
         "α = 0.95" => (Sky, Plus),
         "α = 0.5" => (Green, Square),
         "α = 0.5, viscous" => (Vermillion, Triangle),
-        "α = 0.95, viscous" => (Black, Triangle),
+        "α = 0.95, viscous" => (Sky, Triangle),
         "α = 1, printed" => (Purple, Diamond),
         "α = 1, f32" => (Orange, Diamond),
         "α = 1, no flags" => (Grey, Plus),
