@@ -59,7 +59,8 @@ fn run_of<'t>(
     })
 }
 
-/// Each contestant over the first variant, on the finest mesh that both ran.
+/// Each contestant over the first variant, on the finest mesh that both ran; instructions on the finest on
+/// which those of both were counted.
 fn ratios(times: &Times) -> String {
     let reference = VARIANTS[0].name;
     let mut rows = Vec::new();
@@ -67,19 +68,21 @@ fn ratios(times: &Times) -> String {
         for name in contestants(times, problem) {
             let runs = times.runs.iter().filter(|r| r.problem == problem && r.contestant == name);
             let pair = |run: &'_ TimedRun| run_of(times, problem, reference, run.elements);
-            let pair = |run| Some((run, pair(run)?));
-            let Some((run, first)) = runs.filter_map(pair).max_by_key(|(run, _)| run.elements)
-            else {
+            let pairs: Vec<_> = runs.filter_map(|run| Some((run, pair(run)?))).collect();
+            let Some((run, first)) = pairs.iter().max_by_key(|(run, _)| run.elements) else {
                 continue;
             };
-            let instructions = run.instructions.zip(first.instructions);
+            let counts = pairs.iter().filter_map(|(run, first)| {
+                Some((run.elements, run.instructions?, first.instructions?))
+            });
+            let counted = counts.max_by_key(|(elements, ..)| *elements);
             rows.push(vec![
                 problem.id().to_owned(),
                 name.to_owned(),
                 run.elements.to_string(),
                 format!("{:.3}", run.seconds.least / first.seconds.least),
                 format!("{:.3}", run.seconds.median / first.seconds.median),
-                instructions.map_or("–".into(), |(own, first)| format!("{:.3}", own / first)),
+                counted.map_or("–".into(), |(_, own, first)| format!("{:.3}", own / first)),
             ]);
         }
     }
