@@ -89,6 +89,9 @@ struct WorkPrecision {
     /// Measure no time; what is drawn is the same wherever it is drawn
     #[arg(long, conflicts_with = "full")]
     no_times: bool,
+    /// Draw the times of an earlier study, its times.json, and measure none
+    #[arg(long, conflicts_with_all = ["full", "no_times"], value_name = "FILE")]
+    times: Option<PathBuf>,
 }
 
 pub fn run(args: Args) -> Result<Exit> {
@@ -117,20 +120,27 @@ pub fn run(args: Args) -> Result<Exit> {
 }
 
 fn study_precision(args: WorkPrecision) -> Result<Exit> {
-    let WorkPrecision { sweep, quick, full, no_times } = args;
+    let WorkPrecision { sweep, quick, full, no_times, times: earlier } = args;
     let finest = if quick { precision::QUICK } else { precision::FINEST };
     let effort = match (quick, full) {
         (true, _) => Effort { rounds: 3, instructions: false },
         (_, true) => Effort { rounds: 9, instructions: true },
         _ => Effort { rounds: 5, instructions: false },
     };
+    // Before minutes of work, not after.
+    let earlier = earlier.as_deref().map(precision::Times::read).transpose()?;
     let draw = |_: &[_], found| {
         let record = precision::Record::of(finest, found);
-        let times = if no_times { None } else { Some(times(&record, effort)?) };
-        for note in times.iter().flat_map(|(_, notes)| notes) {
-            exit::say(note);
-        }
-        Ok(precision::files(&record, times.as_ref().map(|(times, _)| times)))
+        let times = match &earlier {
+            Some(earlier) => Some(earlier.clone()),
+            None if no_times => None,
+            None => {
+                let (times, notes) = times(&record, effort)?;
+                notes.iter().for_each(|note| exit::say(note));
+                Some(times)
+            }
+        };
+        Ok(precision::files(&record, times.as_ref()))
     };
     let points = precision::points(finest);
     study(sweep, precision::STUDY, &points, precision::found, draw)

@@ -1,6 +1,10 @@
 //! What the runs of the study take on one machine, format `crossfibre-times/1`. Apart from the record,
 //! since it is another on every machine and every time.
 
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow, ensure};
 use crossfibre::scene::Strain;
 use serde::{Deserialize, Serialize};
 
@@ -77,6 +81,17 @@ pub struct TimedExact {
 }
 
 impl Times {
+    /// The times of an earlier study.
+    pub fn read(path: &Path) -> Result<Self> {
+        let name = path.display();
+        let text = fs::read_to_string(path).with_context(|| format!("{name}: cannot be read"))?;
+        let help = "help: name the times.json that `study work-precision` has written";
+        let times: Self =
+            serde_json::from_str(&text).map_err(|error| anyhow!("{name}: {error}\n  {help}"))?;
+        ensure!(times.format == FORMAT, "{name}: is `{}`, not `{FORMAT}`\n  {help}", times.format);
+        Ok(times)
+    }
+
     /// The times as JSON.
     pub fn json(&self) -> String {
         let json = serde_json::to_string_pretty(self).expect("its numbers are finite");
