@@ -1,6 +1,6 @@
 //! The study `work-precision`: error against work.
 //!
-//! Each [`Problem`] has an [exact](exact) answer. It is run in every [`Variant`] on a ladder of meshes,
+//! Each [`Problem`] has an [exact](mod@exact) answer. It is run in every [`Variant`] on a ladder of meshes,
 //! and of each [`Run`] is kept what [readings](reading) it gives, what they ought to be, and how much
 //! work it was. All of that is deterministic; measured time is kept apart.
 
