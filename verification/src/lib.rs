@@ -25,6 +25,7 @@ pub mod precision;
 pub mod random;
 pub mod record;
 pub mod report;
+pub mod sensitivity;
 pub mod stability;
 pub mod summary;
 pub mod sweep;
