@@ -67,6 +67,11 @@ impl Matrix {
         self.faults.iter().filter(move |row| checks.iter().any(|&i| row.is_caught_by(self, i)))
     }
 
+    /// How many checks notice a fault.
+    pub fn count(&self, row: &Row) -> usize {
+        (0..self.checks.len()).filter(|&i| row.is_caught_by(self, i)).count()
+    }
+
     /// Faults that no check of the quick set notices.
     pub fn missed_by_quick(&self) -> impl Iterator<Item = &Row> {
         self.faults.iter().filter(|row| {

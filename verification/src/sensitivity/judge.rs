@@ -1,0 +1,117 @@
+//! What a matrix must be like.
+
+use super::matrix::{Column, Matrix, Row};
+
+/// Cases that compare bits, which an edition of other words changes: nothing of it is wrong.
+const OF_BITS: [&str; 1] = ["golden.vectors"];
+
+/// What is wrong with a matrix.
+pub struct Judgement<'a> {
+    matrix: &'a Matrix,
+    /// Faults that no check of the quick set notices.
+    pub missed: Vec<&'a Row>,
+    /// Checks that notice no fault.
+    pub idle: Vec<&'a Column>,
+    /// Editions equal in algebra, and the check that fails one.
+    pub misjudged: Vec<(&'a Row, &'a Column)>,
+}
+
+/// Judges it.
+pub fn judge(matrix: &Matrix) -> Judgement<'_> {
+    let misjudged = |row| {
+        (0..matrix.checks.len()).filter(move |&i| Row::is_caught_by(row, matrix, i)).filter_map(
+            move |i| {
+                let check = &matrix.checks[i];
+                (!OF_BITS.contains(&check.case.as_str())).then_some((row, check))
+            },
+        )
+    };
+    Judgement {
+        matrix,
+        missed: matrix.missed_by_quick().collect(),
+        idle: matrix.idle().collect(),
+        misjudged: matrix.rewrites.iter().flat_map(misjudged).collect(),
+    }
+}
+
+impl Judgement<'_> {
+    /// Whether the matrix is as it must be.
+    pub fn is_well(&self) -> bool {
+        self.missed.is_empty() && self.idle.is_empty() && self.misjudged.is_empty()
+    }
+
+    /// What is wrong, a line each, with what to do.
+    pub fn lines(&self) -> Vec<String> {
+        let missed = self.missed.iter().map(|row| {
+            let by_all = self.matrix.count(row);
+            let who = if by_all == 0 { "no check" } else { "no quick check" };
+            format!("{who} notices `{}` ({}: {}): a check is missing", row.id, row.group, row.what)
+        });
+        let idle = self.idle.iter().map(|check| {
+            format!(
+                "`{}` of {} notices no fault: remove it, or plant the fault that it is there for",
+                check.claim, check.case
+            )
+        });
+        let misjudged = self.misjudged.iter().map(|(row, check)| {
+            format!(
+                "`{}` of {} falls for `{}`, which is equal in algebra: it judges taste",
+                check.claim, check.case, row.id
+            )
+        });
+        missed.chain(idle).chain(misjudged).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn matrix() -> Matrix {
+        let column = |case: &str, claim: &str, quick| Column {
+            case: case.into(),
+            claim: claim.into(),
+            quick,
+        };
+        let row = |id: &str, caught_by: &[usize], stopped: &[&str]| Row {
+            id: id.into(),
+            group: "march".into(),
+            what: "errs".into(),
+            caught_by: caught_by.to_vec(),
+            stopped: stopped.iter().map(|&case| case.into()).collect(),
+        };
+        Matrix {
+            format: String::new(),
+            version: String::new(),
+            checks: vec![
+                column("a", "first", true),
+                column("b", "second", true),
+                column("c", "third", false),
+                column("golden.vectors", "bits", true),
+            ],
+            faults: vec![row("gross", &[0, 2, 3], &["b"]), row("small", &[3], &[])],
+            rewrites: vec![row("other-words", &[3], &[])],
+        }
+    }
+
+    #[test]
+    fn a_matrix_without_a_gap_is_well() {
+        assert!(judge(&matrix()).is_well());
+        assert!(judge(&matrix()).lines().is_empty());
+    }
+
+    #[test]
+    fn every_kind_of_gap_is_named() {
+        let gap = |change: fn(&mut Matrix), word: &str| {
+            let mut matrix = matrix();
+            change(&mut matrix);
+            let lines = judge(&matrix).lines();
+            assert!(!judge(&matrix).is_well());
+            assert!(lines.len() == 1 && lines[0].contains(word), "{word}: {lines:?}");
+        };
+        gap(|m| m.faults[1].caught_by.clear(), "no check notices `small`");
+        gap(|m| m.faults[1].caught_by = vec![2], "no quick check notices `small`");
+        gap(|m| m.faults[0].stopped.clear(), "`second` of b notices no fault");
+        gap(|m| m.rewrites[0].caught_by = vec![0], "falls for `other-words`");
+    }
+}
