@@ -115,7 +115,7 @@ impl<S: Number> State<S> {
     /// `T_y` of (8): the first tension along the axis of travel, of both fibres where both are
     /// struck.
     #[inline(always)]
-    pub(crate) fn first_tension_along_axis(&self) -> S {
+    pub fn first_tension_along_axis(&self) -> S {
         let primary = self.along_axis(&self.primary.pull[0]);
         match &self.crossover {
             Some(crossover) if crossover.at_origin() => {
@@ -128,7 +128,7 @@ impl<S: Number> State<S> {
     /// Books the impulses of the coming step, whose tensions are those of now. Returns the first
     /// tension along the axis.
     #[inline(always)]
-    pub(crate) fn account_for_impulses(&mut self) -> S {
+    pub fn account_for_impulses(&mut self) -> S {
         let first = self.first_tension_along_axis();
         let two_dt = S::two() * self.time_step;
         let mut clamps = two_dt * self.along_axis(self.primary.last_pull());
@@ -144,7 +144,7 @@ impl<S: Number> State<S> {
 
     /// Books the work of the step just made: mean force times way.
     #[inline(always)]
-    pub(crate) fn account_for_work(&mut self, first_before: S) {
+    pub fn account_for_work(&mut self, first_before: S) {
         let way = self.along_axis(&self.primary.velocity[0]) * self.time_step;
         let force = first_before + self.first_tension_along_axis();
         let accounts = &mut self.accounts;

@@ -24,7 +24,7 @@ pub struct Constitution<S> {
     /// What the step bears; none where the law cannot outgrow it.
     bound: Option<Bound<S>>,
     /// Of the block of elements that is being worked on.
-    pub(crate) block: Block<S>,
+    pub block: Block<S>,
 }
 
 /// Work on the elements since impact, J.
@@ -51,12 +51,16 @@ struct Bound<S> {
     most: S,
 }
 
-/// Numbers of a block of elements that only a step needs.
+/// Numbers of a block of elements that only a step needs, an element each.
 #[derive(Clone, Debug)]
-pub(crate) struct Block<S> {
+pub struct Block<S> {
+    /// `ε_i^{t−1}`.
     pub strain_before: Vec<S>,
+    /// `L_i^t`, m.
     pub length: Vec<S>,
+    /// `L_i^{t−1}`, m.
     pub previous_length: Vec<S>,
+    /// σ, Pa.
     pub stress: Vec<S>,
     dissipated: Vec<S>,
     modulus: Vec<S>,
@@ -85,7 +89,7 @@ impl<S: Number> Block<S> {
 
 /// How a law breaks the bounds of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Breach {
+pub enum Breach {
     /// The local Courant number, above 1.
     Courant(f64),
     /// The strain at which the modulus is negative.
@@ -172,13 +176,13 @@ impl<S: Number> Constitution<S> {
 
     /// What an element remembers.
     #[inline(always)]
-    pub(crate) fn remembered(&self, element: usize) -> Remembered<'_, S> {
+    pub fn remembered(&self, element: usize) -> Remembered<'_, S> {
         Remembered { of_all: &self.memory, each: self.each, element }
     }
 
     /// The first element of a block where the law breaks the bounds of the scheme, counted from the
     /// block's first. `per_stretch` is d(strain)/d(stretch) of an element.
-    pub(crate) fn breach(
+    pub fn breach(
         &mut self,
         first: usize,
         strain: &[S],

@@ -37,6 +37,7 @@ pub mod exact;
 mod json_locate;
 pub mod march;
 pub mod material;
+pub mod nearest;
 pub mod number;
 pub mod outcome;
 pub mod paper;

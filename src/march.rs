@@ -361,7 +361,8 @@ impl<S: Number> Along<S> {
 }
 
 impl Breach {
-    fn at(self, place: Place) -> Outcome {
+    /// The outcome of a run that ends by it.
+    pub fn at(self, place: Place) -> Outcome {
         match self {
             Self::Courant(courant) => {
                 Outcome::CourantExceeded { place, courant, would_serve: None }

@@ -121,8 +121,18 @@ pub fn with_paper<S: Number, W: WithPaper<S>>(scene: &Scene, work: W) -> W::Out 
     }
 }
 
-/// How a state is marched: by [`march::run`], or by the same compiled otherwise.
+/// How a scene is run: by [`march::run`], or by the same compiled otherwise.
 pub trait Marcher {
+    /// As [`State::at_impact`], with the paper's flags.
+    fn at_impact(&self, scene: &Scene) -> State<f64> {
+        State::at_impact(scene, Wavefront::Flagged)
+    }
+
+    /// As [`with_paper`].
+    fn with_paper<W: WithPaper<f64>>(&self, scene: &Scene, work: W) -> W::Out {
+        with_paper(scene, work)
+    }
+
     /// As [`march::run`].
     fn march<P: Paper<f64>>(
         &self,
@@ -172,12 +182,12 @@ pub fn run_with(
         type Out = RunResult;
         fn with(self, paper: &impl Paper<f64>) -> RunResult {
             let Self { marcher, scene, watch } = self;
-            let mut state = State::at_impact(scene, Wavefront::Flagged);
+            let mut state = marcher.at_impact(scene);
             let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
             let outcome = marcher.march(paper, &mut state, steps, watch);
             if let Some(step) = outcome.broken_step() {
                 // Marching again costs time once; a copy of the state would cost it in every step.
-                state = State::at_impact(scene, Wavefront::Flagged);
+                state = marcher.at_impact(scene);
                 let again = marcher.march(paper, &mut state, step - 1, |_| ());
                 debug_assert!(again.is_completed(), "{again}");
             }
@@ -192,7 +202,7 @@ pub fn run_with(
             RunResult::of(scene, &state, paper, outcome)
         }
     }
-    with_paper(scene, Run { marcher, scene, watch })
+    marcher.with_paper(scene, Run { marcher, scene, watch })
 }
 
 /// How much smaller the next Courant number to be tried is.
@@ -211,7 +221,7 @@ fn serving_courant<P: Paper<f64>>(
 ) -> Option<f64> {
     let mut trial = Scene { courant: scene.courant / exceeded, ..scene.clone() };
     while trial.courant > LEAST_COURANT {
-        let mut state = State::at_impact(&trial, Wavefront::Flagged);
+        let mut state = marcher.at_impact(&trial);
         let steps = Discretisation::<f64>::of(&trial).steps(trial.duration);
         let outcome = marcher.march(paper, &mut state, steps, |_| ());
         match RunResult::of(&trial, &state, paper, outcome).outcome {

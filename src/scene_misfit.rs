@@ -1,6 +1,7 @@
 //! JSON, but not a scene: what serde found, at its place and in words for people.
 
 use crate::json_locate::{members, value};
+use crate::nearest::nearest;
 use crate::scene_check::Problem;
 use crate::scene_file::{Fault, bare};
 
@@ -69,26 +70,4 @@ fn in_plain_words(message: String) -> String {
         Some((head, _)) => format!("{head}expected an object"),
         None => message,
     }
-}
-
-/// The known name that differs by the fewest edits, if that is at most a third of its letters.
-fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
-    let (edits, best) = known.iter().map(|known| (edits(name, known), *known)).min()?;
-    (edits <= best.chars().count().div_ceil(3)).then_some(best)
-}
-
-/// Letters to insert, remove or replace to turn one name into the other (Levenshtein's distance).
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }

@@ -119,7 +119,7 @@ pub struct Work {
 
 impl Work {
     /// One fibre is about to be marched.
-    pub(crate) fn count<S: Number, const D: usize>(&mut self, fibre: &FibreState<S, D>) {
+    pub fn count<S: Number, const D: usize>(&mut self, fibre: &FibreState<S, D>) {
         self.elements += fibre.visited as u64;
         self.clamped += u64::from(fibre.visited == fibre.elements());
     }

@@ -1,6 +1,6 @@
 //! What the paper claims, and what comes of it here.
 
-use crossfibre::exact::crossover::{Coefficients, crossover};
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::smith::{Fibre, Law};
 use crossfibre::scene::{Scene, Strain};
 use serde::{Deserialize, Serialize};
@@ -192,7 +192,7 @@ fn sum_of_squares() -> Claim {
 /// The closed form for Fig. 3 with another modulus and slide factor.
 fn exact_with(modulus: f64, slide_factor: f64) -> Coefficients {
     let fibre = Fibre { modulus, density: 1206.7, area: 1e-6 };
-    crossover(Law::Engineering, &fibre, &fibre, slide_factor, 400.0)
+    crate::oracle::crossover(Law::Engineering, &fibre, &fibre, slide_factor, 400.0)
         .expect("in the range of the closed form")
         .engineering
 }
@@ -283,7 +283,7 @@ fn stability() -> Claim {
 
 /// Element-steps of a run.
 fn element_steps(scene: &Scene) -> f64 {
-    crossfibre::result::run(scene, |_| {}).counts.element_steps as f64
+    crate::planted::run(scene, |_| {}).counts.element_steps as f64
 }
 
 fn cost() -> Claim {

@@ -1,12 +1,12 @@
 //! A scene in the terms of the closed forms, which know nothing of scenes.
 
-use crossfibre::exact::crossover::{Coefficients, crossover};
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::elastic::Hyperelastic;
-use crossfibre::exact::exponential::Exponential;
 use crossfibre::exact::fronts::{Across, Clamped, Problem};
-use crossfibre::exact::polynomial::Polynomial;
-use crossfibre::exact::smith::{self, Fibre, Law, Smith, SmithError, Strain as ExactStrain};
+use crossfibre::exact::smith::{Fibre, Law, Smith, SmithError, Strain as ExactStrain};
 use crossfibre::scene::{Law as Constitutive, Material, Primary, Scene, Secondary, Strain};
+
+use crate::oracle;
 
 /// Why the closed forms of the crossover and the motion at any time do not hold for a scene, if so:
 /// they are those of eqn (7).
@@ -36,7 +36,7 @@ pub fn struck(scene: &Scene, material: &Material, density: f64) -> Result<Smith,
     let curved = |material: Result<Smith, SmithError>| material.map_err(|e| e.to_string());
     match (&material.law, scene.strain) {
         (Constitutive::Linear { modulus }, _) => {
-            curved(smith::smith(law(scene), (modulus / density).sqrt(), velocity))
+            curved(oracle::smith(law(scene), (modulus / density).sqrt(), velocity))
         }
         (Constitutive::Viscoelastic { .. } | Constitutive::Eyring { .. }, _) => {
             Err("the arms relax, and no plateau lasts".into())
@@ -47,12 +47,12 @@ pub fn struck(scene: &Scene, material: &Material, density: f64) -> Result<Smith,
             name(material)
         )),
         (Constitutive::Polynomial { coefficients }, Strain::Engineering) => {
-            let law = Polynomial::new(density, coefficients).map_err(|e| e.to_string())?;
-            curved(smith::struck(&law, velocity))
+            let law = oracle::polynomial(density, coefficients).map_err(|e| e.to_string())?;
+            curved(oracle::struck(&law, velocity))
         }
         (Constitutive::Exponential { a, b }, Strain::Engineering) => {
-            let law = Exponential::new(density, *a, *b).map_err(|e| e.to_string())?;
-            curved(smith::struck(&law, velocity))
+            let law = oracle::exponential(density, *a, *b).map_err(|e| e.to_string())?;
+            curved(oracle::struck(&law, velocity))
         }
     }
 }
@@ -114,7 +114,8 @@ pub fn coefficients(scene: &Scene) -> Option<Coefficients> {
     }
     let fibres = (primary(&scene.primary), secondary(across));
     let velocity = scene.projectile.velocity;
-    let around = crossover(law(scene), &fibres.0, &fibres.1, across.slide_factor, velocity).ok()?;
+    let around =
+        oracle::crossover(law(scene), &fibres.0, &fibres.1, across.slide_factor, velocity).ok()?;
     Some(match law(scene) {
         Law::Logarithmic => around.logarithmic,
         Law::Engineering => around.engineering,

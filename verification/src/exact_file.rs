@@ -2,13 +2,14 @@
 
 use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::fronts::{Ended, Segment};
-use crossfibre::exact::motion::{Motion, motion};
+use crossfibre::exact::motion::Motion;
 use crossfibre::exact::smith::Strain as ExactStrain;
 use crossfibre::scene::{Scene, Strain};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::closed_form;
+use crate::oracle::motion;
 
 /// Uniform pieces of both fibres at one time. Lengths are unstrained.
 #[derive(Clone, Debug, Serialize, JsonSchema)]

@@ -1,9 +1,7 @@
 //! What each departure from the page does, measured: alone, left out, and together.
 
-use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::discretisation::Discretisation;
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::paper::{Lengths, Paper, Printed};
 use crossfibre::scene::{Scene, Strain};
@@ -17,6 +15,7 @@ use crate::cases::support::{
     sliding_by,
 };
 use crate::closed_form::component;
+use crate::planted::{self, march};
 
 /// Times that the mesh of Fig. 3 is refined for the table: 0.25 mm.
 const REFINED: usize = 8;
@@ -158,7 +157,7 @@ fn exact_row(scene: &Scene) -> CrossoverRow {
 
 fn projectile_row(name: String, corrections: Corrections) -> ProjectileRow {
     let scene = Scene { corrections, ..shipped("finite-projectile") };
-    let outcome = crossfibre::result::run(&scene, |_| {}).outcome;
+    let outcome = planted::run(&scene, |_| {}).outcome;
     let run = marched(scene);
     let momentum = run.balance.momentum;
     ProjectileRow {
@@ -202,7 +201,7 @@ impl<S: Number> Paper<S> for MarchedByThree {
 fn strain_denominator() -> String {
     let scene = refined(shipped("single-400"), REFINED);
     let by_four = marched(scene.clone());
-    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let mut state = planted::at_impact::<f64>(&scene, Wavefront::Flagged);
     march::run(&MarchedByThree, &mut state, by_four.state.step, |_| {});
     let middle = state.primary.elements() / 3;
     let window = |strain: &[f64]| strain[middle - 100..middle + 100].iter().sum::<f64>() / 200.0;
@@ -251,8 +250,8 @@ fn time_level() -> String {
 /// Fig. 3's march with the tension of (15) and (16) at `t`: the step is repeated until the tension
 /// that it was given is the one that it makes.
 fn marched_with_tension_now(scene: Scene) -> Marched {
-    let paper = Corrected::<Incremental>::new(scene.corrections);
-    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let paper = planted::edition(scene.strain, scene.corrections);
+    let mut state = planted::at_impact::<f64>(&scene, Wavefront::Flagged);
     let steps = Discretisation::<f64>::of(&scene).steps(scene.duration);
     let first = |state: &State<f64>| {
         state.crossover.as_ref().map_or(0.0, |crossover| crossover.fibre.tension[0])

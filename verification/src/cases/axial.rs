@@ -1,16 +1,16 @@
 //! Axial motion with engineering strain, where the scheme is linear: d'Alembert, dispersion, (19).
 
-use crossfibre::corrected::{Corrected, Engineering};
 use crossfibre::errata::Corrections;
-use crossfibre::exact::{dalembert, dispersion};
-use crossfibre::march;
+use crossfibre::exact::dalembert;
 use crossfibre::number::{Number, Vector};
-use crossfibre::paper::{Paper, Printed};
+use crossfibre::paper::Paper;
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use super::support::{check, measured_by, shipped};
 use super::{Bound, Case, Check};
+use crate::oracle::{frequency, mesh_strain, mesh_velocity};
+use crate::planted::{self, Edition, at_impact};
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -45,13 +45,13 @@ pub fn linear_scene(courant: f64) -> Scene {
 }
 
 /// Corrections do not touch a single fibre without a projectile mass.
-pub fn edition() -> Corrected<Engineering> {
-    Corrected::new(Corrections::ALL)
+pub fn edition() -> Edition {
+    planted::edition(Strain::Engineering, Corrections::ALL)
 }
 
 /// A fibre whose ends are held and whose nodes start with axial velocities.
 pub fn held(scene: &Scene, velocity: impl Fn(usize) -> f64) -> State<f64> {
-    let mut state = State::at_impact(scene, Wavefront::Ignored);
+    let mut state = at_impact(scene, Wavefront::Ignored);
     state.projectile.velocity = 0.0;
     for (i, v) in state.primary.velocity.iter_mut().enumerate() {
         v.x = velocity(i);
@@ -61,7 +61,7 @@ pub fn held(scene: &Scene, velocity: impl Fn(usize) -> f64) -> State<f64> {
 
 fn impact() -> Vec<Check> {
     let scene = linear_scene(1.0);
-    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let mut state = at_impact::<f64>(&scene, Wavefront::Flagged);
     let speed = 37.3;
     state.projectile.axis = Vector::<f64, 2>::new(-1.0, 0.0);
     state.projectile.velocity = speed;
@@ -70,13 +70,14 @@ fn impact() -> Vec<Check> {
     let (mut strain, mut velocity) = (0.0_f64, 0.0_f64);
     let steps = 5 * ELEMENTS;
     // Five passages: the strain has been raised by two reflections at either end.
-    march::run(&edition(), &mut state, steps as u64, |state| {
+    planted::march::run(&edition(), &mut state, steps as u64, |state| {
         let step = state.step as usize;
         for (e, &measured) in state.primary.strain.iter().enumerate() {
-            strain = strain.max((measured / unit - mesh.strain(e, step) as f64).abs());
+            strain = strain.max((measured / unit - mesh_strain(mesh, e, step) as f64).abs());
         }
         for (i, measured) in state.primary.velocity.iter().enumerate() {
-            velocity = velocity.max((-measured.x / speed - mesh.velocity(i, step) as f64).abs());
+            velocity =
+                velocity.max((-measured.x / speed - mesh_velocity(mesh, i, step) as f64).abs());
         }
     });
     let oracle = "d'Alembert's solution by the method of images, reflections included";
@@ -126,16 +127,15 @@ fn standing_wave(scene: &Scene, mode: usize) -> f64 {
     let pi = std::f64::consts::PI;
     let phase = pi * mode as f64 / ELEMENTS as f64;
     let shape = |i: usize| Number::sin(phase * i as f64);
-    let state = State::<f64>::at_impact(scene, Wavefront::Ignored);
+    let state = at_impact::<f64>(scene, Wavefront::Ignored);
     let (dx, dt) = (state.primary.properties.spacing, state.time_step);
-    let omega =
-        dispersion::frequency(phase / dx, dx, dt, scene.courant).expect("no mode grows at α ≤ 1");
+    let omega = frequency(phase / dx, dx, dt, scene.courant).expect("no mode grows at α ≤ 1");
     let amplitude = 1e-2 * dx;
     let first = amplitude * Number::sin(omega * dt) / dt;
     let mut state = held(scene, |i| first * shape(i));
     let rest = state.primary.position.clone();
     let mut worst = 0.0_f64;
-    march::run(&edition(), &mut state, 1000, |state| {
+    planted::march::run(&edition(), &mut state, 1000, |state| {
         let wave = amplitude * Number::sin(omega * dt * state.step as f64);
         for (i, (now, rest)) in state.primary.position.iter().zip(&rest).enumerate() {
             let expected = wave * if i == ELEMENTS { 0.0 } else { shape(i) };
@@ -151,7 +151,9 @@ fn wave_equation() -> Vec<Check> {
     let bump = |i: usize| 3.1 * Number::sin(pi * i as f64 / ELEMENTS as f64);
     let mut state = held(&scene, bump);
     let mut history = vec![state.primary.position.clone()];
-    march::run(&edition(), &mut state, 60, |state| history.push(state.primary.position.clone()));
+    planted::march::run(&edition(), &mut state, 60, |state| {
+        history.push(state.primary.position.clone())
+    });
     let properties = state.primary.properties;
     let (dx, dt) = (properties.spacing, state.time_step);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -162,7 +164,7 @@ fn wave_equation() -> Vec<Check> {
             let acceleration = (u(after, i) - 2.0 * u(now, i) + u(before, i)) / (dt * dt);
             let curvature = (u(now, i + 1) - 2.0 * u(now, i) + u(now, i - 1)) / (dx * dx);
             let expected =
-                Paper::<f64>::eqn_19_acceleration(&Printed, properties.wave_speed, curvature);
+                Paper::<f64>::eqn_19_acceleration(&edition(), properties.wave_speed, curvature);
             worst = worst.max((acceleration - expected).abs());
             largest = largest.max(expected.abs());
         }

@@ -1,14 +1,13 @@
 //! Energy and momentum of the whole system.
 
-use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::march;
-use crossfibre::paper::{Paper, Printed, magnitude};
+use crossfibre::paper::{Paper, magnitude};
 use crossfibre::scene::{Scene, Strain};
-use crossfibre::state::{State, Wavefront};
+use crossfibre::state::Wavefront;
 
 use super::support::{check, kinked, marched, measured_by, order, refined, shipped, sliding_by};
 use super::{Bound, Case, Check};
+use crate::planted::{self, march};
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -232,15 +231,15 @@ fn momentum() -> Vec<Check> {
 /// Greatest residual of (1) over a run of one fibre, in units of the greatest tension.
 fn impulse_audit() -> f64 {
     let scene = shipped("single-400");
-    let paper = Corrected::<Incremental>::new(scene.corrections);
-    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let paper = planted::edition(scene.strain, scene.corrections);
+    let mut state = planted::at_impact::<f64>(&scene, Wavefront::Flagged);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     let mut before = state.primary.clone();
     march::run(&paper, &mut state, 100, |state| {
         let now = &state.primary;
         let mass_over_time_step = now.properties.mass / state.time_step;
         for i in 1..now.elements() {
-            let residual = Printed.eqn_1_impulse_residual(
+            let residual = paper.eqn_1_impulse_residual(
                 before.pull[i],
                 before.pull[i - 1],
                 mass_over_time_step,

@@ -1,13 +1,13 @@
 //! Stability: what the paper says of α < 1, = 1, > 1, found by growth rates.
 
-use crossfibre::exact::dispersion;
-use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::scene::Strain;
 
 use super::axial::{edition, held, linear_scene};
 use super::support::{check, marched, measured_by, relative, shipped};
 use super::{Bound, Case, Check};
+use crate::oracle::amplification;
+use crate::planted::march;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -40,7 +40,7 @@ fn growth() -> Vec<Check> {
             });
             let last = amplitude.len() - 1;
             let measured = Number::ln(amplitude[last] / amplitude[last - span]) / span as f64;
-            let expected = Number::ln(dispersion::amplification(courant, phase));
+            let expected = Number::ln(amplification(courant, phase));
             check(
                 format!("At α = {courant} the highest mode grows by the larger root"),
                 "von Neumann: g² - 2(1 - 2α² sin²(kΔx/2)) g + 1 = 0",

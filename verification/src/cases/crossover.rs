@@ -1,7 +1,7 @@
 //! The crossover against its closed form, and what the printed coupling does instead.
 
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::exact::crossover::{Coefficients, crossover};
+use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::smith::{Fibre, Law};
 use crossfibre::number::Number;
 use crossfibre::scene::{Scene, Strain};
@@ -12,6 +12,7 @@ use super::support::{
 use super::{Bound, Case, Check};
 use crate::closed_form::{self, component};
 use crate::fronts::between_fronts;
+use crate::oracle::crossover;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[

@@ -83,7 +83,7 @@ fn limits() -> Vec<Check> {
     };
     let gained = marched(wrong_sign).state.projectile.velocity / 400.0 - 1.0;
     let as_printed = Scene { corrections: Corrections::NONE, ..shipped("finite-projectile") };
-    let result = crossfibre::result::run(&as_printed, |_| {});
+    let result = crate::planted::run(&as_printed, |_| {});
     let energy = corrected.balance.energy;
     let kinetic = energy.projectile / energy.initial;
     vec![

@@ -268,7 +268,7 @@ fn kink() -> Vec<Check> {
 fn density() -> Vec<Check> {
     let implied = shipped("single-400");
     let usual = shipped("single-400-1440");
-    let travel = crossfibre::result::run(&implied, |_| {});
+    let travel = crate::planted::run(&implied, |_| {});
     let wave_speed = exact_primary(&implied).wave_speed();
     let engineering =
         |scene| 100.0 * exact_single(&measured_by(Strain::Engineering, scene)).strain.engineering;

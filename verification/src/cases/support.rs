@@ -1,18 +1,19 @@
 //! What the cases share: shipped scenes, finished marches, windows and orders.
 
-use crossfibre::exact::crossover::{Crossover, crossover};
-use crossfibre::exact::smith::{Fibre, Smith, smith};
-use crossfibre::march;
+use crossfibre::exact::crossover::Crossover;
+use crossfibre::exact::smith::{Fibre, Smith};
 use crossfibre::number::Number;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::scene::{Scene, Secondary, Strain};
 use crossfibre::state::{FibreState, State, Wavefront};
 use crossfibre::{balance::Balance, discretisation::Discretisation, scene_file};
 
 use super::{Bound, Check};
 use crate::closed_form::{self, law};
+use crate::oracle::{crossover, smith};
+use crate::planted::{self, with_paper};
 
 macro_rules! scenes {
     ($($name:literal),* $(,)?) => {
@@ -131,10 +132,10 @@ pub fn watched(
         type Out = (State<f64>, Outcome, Balance);
         fn with(self, paper: &impl Paper<f64>) -> Self::Out {
             let Self(scene, wavefront, prepare, watch) = self;
-            let mut state = State::at_impact(scene, wavefront);
+            let mut state = planted::at_impact(scene, wavefront);
             prepare(&mut state);
             let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
-            let outcome = march::run(paper, &mut state, steps, watch);
+            let outcome = planted::march::run(paper, &mut state, steps, watch);
             let balance = state.balance(paper, scene.strain);
             (state, outcome, balance)
         }

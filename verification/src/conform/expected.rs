@@ -10,7 +10,6 @@ use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::discretisation::{Discretisation, Properties};
 use crossfibre::double_double::DoubleDouble;
 use crossfibre::errata::Corrections;
-use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
@@ -21,6 +20,7 @@ use crossfibre::state::{FibreState, State, Wavefront};
 use super::by_name::{self, Inputs};
 use super::protocol::{Edition, Form, Precision, StateRecord};
 use super::quantity::{Quantity, natural_size, numbers};
+use crate::planted::{self, march};
 
 /// What is expected of a question.
 #[derive(Clone, Debug)]
@@ -61,6 +61,10 @@ impl<W: Number, P: Paper<W> + Paper<DoubleDouble> + Paper<f64>> Both<W> for P {}
 macro_rules! with_edition {
     ($strain:expr, $corrections:expr, $paper:ident => $work:expr) => {
         match $strain {
+            strain if planted::edition::is_another() => {
+                let $paper = &planted::edition(strain, $corrections);
+                $work
+            }
             Strain::Incremental => {
                 let $paper = &Corrected::<Incremental>::new($corrections);
                 $work
@@ -214,8 +218,8 @@ pub fn of_run(scene: &Scene, precision: Precision) -> Expected {
 const ENERGIES: u64 = 32;
 
 fn run_in<W: Number>(paper: &impl Both<W>, scene: &Scene, precision: Precision) -> Expected {
-    let mut state = State::<W>::at_impact(scene, Wavefront::Flagged);
-    let mut precise = State::<DoubleDouble>::at_impact(scene, Wavefront::Flagged);
+    let mut state = planted::at_impact::<W>(scene, Wavefront::Flagged);
+    let mut precise = planted::at_impact::<DoubleDouble>(scene, Wavefront::Flagged);
     let mut envelope = Envelope::new(unit_roundoff(precision));
     let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
     let mut ended = Ok(());

@@ -2,9 +2,8 @@
 
 use crossfibre::discretisation::Discretisation;
 use crossfibre::errata::Corrections;
-use crossfibre::march;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::scene::{Material, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
@@ -14,6 +13,7 @@ use crate::cases::support::{SCENES, shipped};
 use crate::golden::equations::{self, EquationVector};
 use crate::golden::file::Flag;
 use crate::golden::steps;
+use crate::planted::{at_impact, march, with_paper};
 use crate::random::SplitMix;
 
 /// A question with a name.
@@ -42,7 +42,7 @@ pub fn all(seed: u64) -> Vec<Item> {
     let fresh = equations::drawn(seed, SETS);
     let mut items: Vec<_> = stored.iter().chain(&fresh).map(equation).collect();
     items.extend(steps::vectors().into_iter().map(|vector| {
-        let start = State::at_impact(&vector.scene, Wavefront::Flagged);
+        let start = at_impact(&vector.scene, Wavefront::Flagged);
         let before = steps::stepped(&vector.scene, start, vector.before.step);
         step(&vector.id, vector.scene, &before)
     }));
@@ -107,7 +107,7 @@ fn state_on_the_way(scene: &Scene, random: &mut SplitMix) -> State<f64> {
     }
     let steps = Discretisation::<f64>::of(scene).steps(scene.duration);
     let made = random.whole(0..usize::try_from(steps).unwrap_or(usize::MAX)) as u64;
-    with_paper(scene, March(State::at_impact(scene, Wavefront::Flagged), made))
+    with_paper(scene, March(at_impact(scene, Wavefront::Flagged), made))
 }
 
 /// Why a candidate cannot be asked this, by what it says of itself.

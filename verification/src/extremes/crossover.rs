@@ -1,7 +1,6 @@
 //! Crossovers beside the impact point and the clamp; slide factors of 0, 1e-6 and 1; slip over many nodes.
 
 use crossfibre::exact::fronts::Segment;
-use crossfibre::exact::motion::motion;
 use crossfibre::exact::smith::Strain as ExactStrain;
 use crossfibre::outcome::{End, Outcome};
 use crossfibre::result::RunResult;
@@ -11,6 +10,7 @@ use super::{Group, Row, checks, refused, row, run, verdict};
 use crate::cases::support::{exact_primary, exact_single, measured_by, refined, shipped};
 use crate::cases::{Bound, Case};
 use crate::closed_form::{component, problem};
+use crate::oracle::motion;
 
 pub(super) const GROUP: Group = Group {
     case: Case {

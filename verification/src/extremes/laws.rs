@@ -9,7 +9,7 @@ use super::{Group, Row, checks, row, run};
 use crate::cases::support::{exact_primary, mean, measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::closed_form;
-use crate::wide;
+use crate::planted;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -48,7 +48,7 @@ fn rebounding(tension_only: bool, courant: f64) -> Scene {
 /// The least tension of any element in any step, N, and the result.
 fn least_tension(scene: &Scene) -> (f64, RunResult) {
     let mut least = 0.0_f64;
-    let result = wide::run(scene, |state| {
+    let result = planted::run(scene, |state| {
         least = state.primary.tension.iter().fold(least, |least, &t| least.min(t));
     });
     (least, result)
@@ -140,7 +140,7 @@ fn outgrown() -> Vec<Row> {
     let scene = fibre(hardening(HARDENING), 0.9);
     // T'/T'(0) = 1 + 2 × 17 ε.
     let mut greatest = 0.0_f64;
-    let result = wide::run(&scene, |state| {
+    let result = planted::run(&scene, |state| {
         let strain = state.primary.strain.iter().fold(0.0_f64, |most, &e| most.max(e));
         greatest = greatest.max(scene.courant * (1.0 + 2.0 * HARDENING * strain).sqrt());
     });

@@ -9,7 +9,7 @@ use crossfibre::scene::{Scene, Strain};
 use super::{Group, Row, checks, row};
 use crate::cases::support::{measured_by, shipped};
 use crate::cases::{Bound, Case};
-use crate::wide;
+use crate::planted;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -40,7 +40,7 @@ fn long(mut scene: Scene) -> Long {
     scene.duration = STEPS as f64 * Discretisation::<f64>::of(&scene).time_step;
     let tenth = STEPS / 10;
     let (mut energy, mut momentum) = ([0.0_f64; 2], 0.0_f64);
-    let result = wide::run(&scene, |state| {
+    let result = planted::run(&scene, |state| {
         let part = match state.step {
             step if step % 1000 > 0 => return,
             step if step <= tenth => 0,

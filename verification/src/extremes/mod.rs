@@ -19,7 +19,7 @@ use crossfibre::result::RunResult;
 use crossfibre::scene::Scene;
 
 use crate::cases::{Bound, Case, Check};
-use crate::wide;
+use crate::planted;
 
 pub use page::page;
 
@@ -86,7 +86,7 @@ fn run(scene: &Scene) -> RunResult {
     if let Err(problem) = scene.check() {
         panic!("{problem}");
     }
-    wide::run(scene, |_| {})
+    planted::run(scene, |_| {})
 }
 
 /// What the check of a scene says.

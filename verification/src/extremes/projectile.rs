@@ -5,7 +5,7 @@ use crossfibre::scene::{Scene, Strain};
 use super::{Group, Row, checks, row, run};
 use crate::cases::support::{exact_primary, measured_by, shipped};
 use crate::cases::{Bound, Case};
-use crate::wide;
+use crate::planted;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -108,7 +108,7 @@ fn thrown_back() -> Vec<Row> {
     scene.courant = 0.9;
     let mass = scene.projectile.mass.unwrap_or(f64::NAN);
     let (mut top, mut back) = (0.0_f64, 0.0);
-    let result = wide::run(&scene, |state| {
+    let result = planted::run(&scene, |state| {
         let height = state.primary.position[0].y;
         top = top.max(height);
         if height < 0.0 && back == 0.0 {

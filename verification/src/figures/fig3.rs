@@ -6,10 +6,11 @@ use crate::cases::support::{exact_single, measured_by, shipped};
 use crate::closed_form::problem;
 use crate::exact_file::ExactFile;
 use crate::exact_plot;
+use crate::oracle::motion;
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 use crate::tables::{Table, cell};
 use crossfibre::exact::fronts::Segment;
-use crossfibre::exact::motion::{Motion, motion};
+use crossfibre::exact::motion::Motion;
 use crossfibre::scene::{Scene, Strain};
 
 /// Times that the paper's mesh is refined for the pictures and the table: 2 and 0.5 mm.

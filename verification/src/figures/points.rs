@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::cases::support::{exact_single, measured_by, refined, shipped, sliding_by};
 use crate::closed_form::component;
 use crate::fronts::{Windows, between_fronts};
+use crate::planted;
 use crate::sweep::Point;
-use crate::wide;
 
 /// How often the paper's mesh of 2 mm is refined for a converged curve: to 0.125 mm.
 pub const CONVERGED: usize = 16;
@@ -258,7 +258,7 @@ fn ratios(scene: &Scene, strains: &Strains, windows: Windows) -> Coefficients {
 /// Runs a scene.
 pub fn snapshot(run: &Run) -> Snapshot {
     let Run { scene, profile } = run;
-    let result = wide::run(scene, |_| {});
+    let result = planted::run(scene, |_| {});
     let time = result.time;
     if !result.outcome.is_completed() {
         let outcome = result.outcome;

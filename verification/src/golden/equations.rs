@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::equations::EQUATIONS;
 use crossfibre::errata::Corrections;
 use crossfibre::number::Vector;
 use crossfibre::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush};
+use crossfibre::scene::Strain;
 use crossfibre::trace::{Event, Traced};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::draw::{Draw, Special};
 use super::file::Flag;
 use super::value::Value;
+use crate::planted::{Edition, edition};
 
 /// One evaluation of one equation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,13 +78,13 @@ fn editions<const D: usize>(
     sets: &[Set],
 ) {
     let name = |edition: &str| format!("{number}{dimension}/{edition}");
-    let mut of = |paper: &Corrected<_>, edition: &str, flags: &[Flag]| {
+    let mut of = |paper: &Edition, edition: &str, flags: &[Flag]| {
         vectors.extend(evaluations::<D>(paper, number, &name(edition), flags, sets));
     };
-    of(&Corrected::<Incremental>::new(Corrections::NONE), "printed", &[Flag::Printed]);
-    of(&Corrected::<Incremental>::new(Corrections::ALL), "corrected", &[Flag::Corrected]);
+    of(&edition(Strain::Incremental, Corrections::NONE), "printed", &[Flag::Printed]);
+    of(&edition(Strain::Incremental, Corrections::ALL), "corrected", &[Flag::Corrected]);
     if number == 4 {
-        let engineering = Corrected::<Engineering>::new(Corrections::ALL);
+        let engineering = edition(Strain::Engineering, Corrections::ALL);
         let flags = [Flag::Corrected, Flag::Engineering];
         let name = name("engineering");
         vectors.extend(evaluations::<D>(&engineering, number, &name, &flags, sets));

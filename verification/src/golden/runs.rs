@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crossfibre::balance::Balance;
 use crossfibre::outcome::Outcome;
-use crossfibre::result::{self, FibreResult};
+use crossfibre::result::FibreResult;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +12,7 @@ use super::effect::Effect;
 use super::file::Flag;
 use crate::bits::fnv;
 use crate::cases::support::{SCENES, shipped};
+use crate::planted;
 
 /// A run of a shipped scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -107,7 +108,7 @@ pub fn vectors() -> Vec<RunVector> {
 
 fn vector(name: &str) -> RunVector {
     let scene = shipped(name);
-    let result = result::run(&scene, |_| ());
+    let result = planted::run(&scene, |_| ());
     let equations = &result.counts.equations;
     RunVector {
         id: name.into(),

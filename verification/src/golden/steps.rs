@@ -2,10 +2,9 @@
 
 use crossfibre::discretisation::Properties;
 use crossfibre::errata::Corrections;
-use crossfibre::march;
 use crossfibre::number::Vector;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{FibreState, State, Wavefront, Work};
 use schemars::JsonSchema;
@@ -13,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::file::Flag;
 use crate::cases::support::shipped;
+use crate::planted::{at_impact, march, with_paper};
 
 /// A state, and the state one step later.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -220,7 +220,7 @@ pub fn vectors() -> Vec<StepVector> {
 fn vector(kind: &Kind) -> StepVector {
     let mut scene = shipped(kind.scene);
     (kind.change)(&mut scene);
-    let state = State::at_impact(&scene, Wavefront::Flagged);
+    let state = at_impact(&scene, Wavefront::Flagged);
     let before = stepped(&scene, state, kind.step - 1);
     let after = stepped(&scene, before.clone(), 1);
     StepVector {

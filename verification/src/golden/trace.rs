@@ -1,14 +1,14 @@
 //! The golden trace: the first steps of Fig. 3 on a mesh that a person can follow.
 
-use crossfibre::march;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::scene::Scene;
-use crossfibre::state::{State, Wavefront};
+use crossfibre::state::Wavefront;
 use crossfibre::trace::Traced;
 use crossfibre::trace_file::{Filter, JsonLines};
 
 use crate::cases::support::coarse_fig3;
+use crate::planted::{self, march, with_paper};
 
 /// Steps traced: in the third the wave is at the crossover, in the fourth in the secondary.
 const STEPS: u64 = 4;
@@ -23,7 +23,7 @@ pub fn text() -> String {
             let sink = JsonLines::start(&mut text, self.0, paper, Filter::default())
                 .expect("memory can be written to");
             let traced = Traced::new(paper, sink);
-            let mut state = State::<f64>::at_impact(self.0, Wavefront::Flagged);
+            let mut state = planted::at_impact::<f64>(self.0, Wavefront::Flagged);
             march::run(&traced, &mut state, STEPS, |_| ());
             traced.into_sink().finish().expect("memory can be written to");
             text

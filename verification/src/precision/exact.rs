@@ -1,7 +1,6 @@
 //! What a run ought to show, from solutions that share nothing with the scheme.
 
 use crossfibre::exact::fronts::Segment;
-use crossfibre::exact::motion::motion;
 use crossfibre::exact::smith as exact;
 use crossfibre::exact::viscoelastic::{Arm, PulledRod};
 use crossfibre::material;
@@ -10,6 +9,7 @@ use crossfibre::scene::{Law, Scene};
 
 use super::run::Run;
 use crate::closed_form::{self, component, law};
+use crate::oracle::{motion, pulled_rod, rod_at};
 use crate::summary::exact as summary;
 
 /// A piece of a fibre that is strained uniformly.
@@ -123,7 +123,7 @@ impl Exact {
             if from >= to {
                 break;
             }
-            let state = rod.at(0.5 * (from + to), time).map_err(|error| error.to_string())?;
+            let state = rod_at(&rod, 0.5 * (from + to), time).map_err(|error| error.to_string())?;
             primary.push(Piece { from, to, strain: state.strain });
         }
         primary.push(Piece { from: front, to: scene.primary.length, strain: 0.0 });
@@ -208,7 +208,7 @@ pub fn rod(scene: &Scene) -> Result<PulledRod, String> {
         Arm { modulus, relaxation_time }
     };
     let arms: Vec<_> = arms.iter().map(arm).collect();
-    PulledRod::new(scene.primary.density, *equilibrium_modulus, &arms, scene.projectile.velocity)
+    pulled_rod(scene.primary.density, *equilibrium_modulus, &arms, scene.projectile.velocity)
         .map_err(|error| error.to_string())
 }
 

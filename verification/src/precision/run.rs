@@ -5,7 +5,7 @@ use crossfibre::double_double::DoubleDouble;
 use crossfibre::number::{Number, Vector};
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
-use crossfibre::result::{RunResult, WithPaper, with_paper};
+use crossfibre::result::{RunResult, WithPaper};
 use crossfibre::scene::Scene;
 use crossfibre::state::{State, Wavefront};
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::exact::{Arrival, Exact};
 use super::reading::{Reading, readings};
 use super::variants::Precision;
-use crate::wide;
+use crate::planted::{self, with_paper};
 
 /// What is run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,7 +76,7 @@ fn found_in<S: Number>(run: &Run) -> Found {
             let scene = &run.scene;
             let (mut state, steps) = at_impact::<S>(run);
             let mut gate = Arrival::of(run).map(Gate::of);
-            let outcome = wide::march(paper, &mut state, steps, |state| {
+            let outcome = planted::march::wide(paper, &mut state, steps, |state| {
                 if let Some(gate) = &mut gate {
                     gate.watch(state);
                 }
@@ -108,7 +108,7 @@ fn found_in<S: Number>(run: &Run) -> Found {
 /// The state before the first step, and the steps to make.
 pub fn at_impact<S: Number>(run: &Run) -> (State<S>, u64) {
     let wavefront = if run.flagged { Wavefront::Flagged } else { Wavefront::Ignored };
-    let mut state = State::<S>::at_impact(&run.scene, wavefront);
+    let mut state = planted::at_impact::<S>(&run.scene, wavefront);
     if run.pulled_along {
         state.projectile.axis = Vector::<S, 2>::new(-S::one(), S::zero());
     }

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use serde_json::Value;
 
 use super::Record;
+use crate::planted::{Plant, now};
 
 const TEXT: &str = include_str!("../../../docs/work-precision/record.json");
 
@@ -14,7 +15,13 @@ const TEXT: &str = include_str!("../../../docs/work-precision/record.json");
 /// If it cannot be read: a fault of this program.
 pub fn stored() -> &'static Record {
     static RECORD: OnceLock<Record> = OnceLock::new();
-    RECORD.get_or_init(|| serde_json::from_str(TEXT).expect("the stored record can be read"))
+    RECORD.get_or_init(|| {
+        let mut record = serde_json::from_str(TEXT).expect("the stored record can be read");
+        if let Some(Plant::Record(wrong)) = now() {
+            wrong.put_into(&mut record);
+        }
+        record
+    })
 }
 
 /// In how many numbers and words two values differ: numbers by their bits, and one for each that only

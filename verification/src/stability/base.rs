@@ -2,12 +2,12 @@
 
 use crossfibre::constitution::Constitution;
 use crossfibre::number::{Number, Vector};
-use crossfibre::result::with_paper;
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{FibreState, State, Wavefront};
 use serde::{Deserialize, Serialize};
 
 use super::spectrum::Step;
+use crate::planted::{self, with_paper};
 
 /// A scene whose fibres are held at rest under strain, all in equilibrium.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,7 +46,7 @@ impl Base {
     }
 
     fn bounded<S: Number>(&self, scene: &Scene) -> State<S> {
-        let mut state = State::at_impact(scene, Wavefront::Ignored);
+        let mut state = planted::at_impact(scene, Wavefront::Ignored);
         state.projectile.velocity = S::zero();
         if self.axial {
             state.projectile.axis = Vector::<S, 2>::new(S::one(), S::zero());

@@ -1,13 +1,13 @@
 //! Growth of a small perturbation over ten thousand steps of the march, or more.
 
-use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::state::{FibreState, State};
 use serde::{Deserialize, Serialize};
 
 use super::base::Base;
+use crate::planted::{march, with_paper};
 
 /// Steps over which growth is judged. What seems to grow over the first of them and is small still is
 /// judged again over the next: energy that goes slowly from one fibre to a very different one and

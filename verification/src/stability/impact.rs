@@ -2,12 +2,12 @@
 
 use crossfibre::number::Number;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::scene::Scene;
-use crossfibre::state::{State, Wavefront};
+use crossfibre::state::Wavefront;
 
 use super::growth::{Growth, STEPS};
-use crate::wide;
+use crate::planted::{self, with_paper};
 
 /// Between two looks at the state.
 const CHUNK: u64 = 50;
@@ -34,11 +34,11 @@ impl WithPaper<f64> for Impact<'_> {
 
     fn with(self, paper: &impl Paper<f64>) -> Growth {
         let Self { scene, exact } = self;
-        let mut state = State::at_impact(scene, Wavefront::Flagged);
+        let mut state = planted::at_impact(scene, Wavefront::Flagged);
         let steps = STEPS[0];
         let mut quarters = [0.0_f64; 4];
         while state.step < steps {
-            let ended = !wide::march(paper, &mut state, CHUNK, |_| {}).is_completed();
+            let ended = !planted::march::wide(paper, &mut state, CHUNK, |_| {}).is_completed();
             let strains = state.primary.strain.iter();
             let greatest = strains.fold(0.0_f64, |most, e| Number::max(most, Number::abs(*e)));
             if ended || greatest > BEYOND * exact {

@@ -1,7 +1,6 @@
 //! The maps: a parameter across, the Courant number upward.
 
 use crossfibre::errata::{Corrections, Erratum};
-use crossfibre::exact::smith::smith;
 use crossfibre::number::Number;
 use crossfibre::scene::Strain;
 
@@ -13,6 +12,7 @@ use super::tasks::Task;
 use super::uniform::finite;
 use crate::cases::support::exact_primary;
 use crate::closed_form::{component, law};
+use crate::oracle::smith;
 use crate::plot::Axis;
 use crate::sweep::Point;
 

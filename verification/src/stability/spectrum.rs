@@ -3,17 +3,17 @@
 //! The step is not linearised by hand: the march itself makes one step on numbers that carry their
 //! derivative ([`Dual`]), once for every variable.
 
-use crossfibre::march;
 use crossfibre::number::Number;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::result::WithPaper;
 use crossfibre::state::{FibreState, State};
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, Schur};
 
 use super::base::Base;
 use super::dual::Dual;
+use crate::planted::{march, with_paper};
 
 /// A step is called unstable from 1 + this on.
 ///

@@ -3,12 +3,12 @@
 //! Positions are Lagrangian, from the impact point on the primary and from the crossover on the
 //! secondary. Where a closed form does not hold, or no longer, a note says why.
 
-use crossfibre::exact::crossover::crossover;
 use crossfibre::exact::smith::Smith;
 use crossfibre::place::Fibre;
 use crossfibre::scene::{Scene, Secondary};
 
 use crate::closed_form::{self, component, law};
+use crate::oracle::crossover;
 
 /// A stretch of fibre that the exact solution strains uniformly.
 #[derive(Debug, PartialEq)]

@@ -9,6 +9,7 @@ use crate::cases::support::{
     Marched, check, marched_from, measured_by, relative, shipped, watched,
 };
 use crate::cases::{Bound, Check};
+use crate::planted::at_impact;
 
 /// How far a held fibre is stretched.
 const HELD: f64 = 0.0137;
@@ -21,7 +22,7 @@ fn held(law: Law, steps: f64) -> (Vec<f64>, State<f64>) {
     (scene.secondary, scene.projectile.mass) = (None, None);
     (scene.primary.elements, scene.primary.length) = (2, 0.00413);
     scene.primary.material = law.into();
-    let at_rest = State::<f64>::at_impact(&scene, Wavefront::Ignored);
+    let at_rest = at_impact::<f64>(&scene, Wavefront::Ignored);
     scene.duration = steps * at_rest.time_step;
     let stretch = |state: &mut State<f64>| {
         state.projectile.velocity = 0.0;
@@ -161,7 +162,7 @@ fn runge_kutta(f: impl Fn(f64) -> f64, y: f64, h: f64) -> f64 {
 fn relaxing_in(time_steps: f64, update: Update, courant: f64) -> Scene {
     let mut scene = shipped("viscoelastic");
     (scene.secondary, scene.projectile.mass, scene.courant) = (None, None, courant);
-    let time_step = State::<f64>::at_impact(&scene, Wavefront::Flagged).time_step;
+    let time_step = at_impact::<f64>(&scene, Wavefront::Flagged).time_step;
     if let Law::Viscoelastic { arms, update: chosen, .. } = &mut scene.primary.material.law {
         arms.iter_mut().for_each(|arm| arm.relaxation_time = time_steps * time_step);
         *chosen = update;
@@ -202,7 +203,7 @@ fn literal_limit(scene: &Scene) -> f64 {
 fn literal_completes(x: impl Fn(&Scene) -> f64) -> f64 {
     let scene = relaxing_in(1.0, Update::Literal, 0.5);
     let scene = relaxing_in(1.0 / x(&scene), Update::Literal, 0.5);
-    f64::from(u8::from(crossfibre::result::run(&scene, |_| ()).outcome.is_completed()))
+    f64::from(u8::from(crate::planted::run(&scene, |_| ()).outcome.is_completed()))
 }
 
 /// Times far from the time step, and the literal update beyond its limit.

@@ -2,12 +2,12 @@
 
 use crossfibre::constitution::Constitution;
 use crossfibre::outcome::Outcome;
-use crossfibre::result;
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use crate::cases::support::{check, marched, measured_by, order, refined, shipped, watched};
 use crate::cases::{Bound, Check};
+use crate::planted;
 
 const FIRST_LAW: &str =
     "first law: kinetic + stored + dissipated = at impact + work of the driven node";
@@ -147,7 +147,7 @@ pub fn slack() -> Vec<Check> {
     let fibre = &slack.state.primary;
     let at_rest = fibre.tension.iter().filter(|&&tension| tension == 0.0).count();
     let relative = |scene| marched(scene).balance.energy.relative_residual().abs();
-    let hasty = result::run(&Scene { courant: 0.87, duration: 500e-6, ..scene() }, |_| ());
+    let hasty = planted::run(&Scene { courant: 0.87, duration: 500e-6, ..scene() }, |_| ());
     let unbalanced = matches!(hasty.outcome, Outcome::EnergyUnbalanced { .. });
     vec![
         check(

@@ -10,6 +10,7 @@ use crossfibre::state::Wavefront;
 
 use crate::cases::support::{Marched, check, measured_by, order, relative, shipped, watched};
 use crate::cases::{Bound, Check};
+use crate::oracle;
 
 /// E of the arm, Pa.
 const MODULUS: f64 = 67.9e9;
@@ -48,7 +49,7 @@ impl Rod {
 
     fn exact(&self, speed: f64) -> PulledRod {
         let arm = viscoelastic::Arm { modulus: MODULUS, relaxation_time: self.relaxation_time };
-        PulledRod::new(self.scene.primary.density, self.spring, &[arm], speed).expect("a rod")
+        oracle::pulled_rod(self.scene.primary.density, self.spring, &[arm], speed).expect("a rod")
     }
 
     fn run(&self, strain: Strain, speed: f64) -> Marched {
@@ -79,7 +80,7 @@ impl Rod {
         let (t, dt, dx) = (run.state.time(), run.state.time_step, fibre.properties.spacing);
         let unit = self.scene.primary.density * exact.front_speed() * speed;
         let count = run.state.step as usize;
-        let at = |x: f64, t: f64| exact.at(x, t).expect("it settles");
+        let at = |x: f64, t: f64| oracle::rod_at(&exact, x, t).expect("it settles");
         let (mut stress, mut velocity) = (0.0, 0.0);
         for i in 0..count {
             let x = i as f64 * dx;

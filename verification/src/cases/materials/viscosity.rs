@@ -1,6 +1,5 @@
 //! Artificial viscosity at the front of a linear fibre; at a shock see `elastic`.
 
-use crossfibre::march;
 use crossfibre::material::Coefficients;
 use crossfibre::number::Number;
 use crossfibre::scene::{Scene, Strain};
@@ -11,6 +10,7 @@ use crate::cases::support::{
 };
 use crate::cases::{Bound, Check};
 use crate::closed_form::component;
+use crate::planted::march;
 
 /// What a run shows of its front.
 pub struct Front {

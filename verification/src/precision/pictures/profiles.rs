@@ -1,7 +1,6 @@
 //! Strain along both fibres of Fig. 3 on several meshes, beside the exact profile.
 
 use crossfibre::exact::fronts::Segment;
-use crossfibre::exact::motion::motion;
 use crossfibre::place::Fibre;
 use crossfibre::result::RunResult;
 
@@ -11,9 +10,10 @@ use super::super::run_of;
 use super::super::variants::Variant;
 use super::BASES;
 use crate::closed_form;
+use crate::oracle::motion;
+use crate::planted;
 use crate::plot::{Axis, Colour, Mark, Panel, Series, Style, rows};
 use crate::tables::{Table, cell};
-use crate::wide;
 
 /// Refinements of the paper's mesh that are drawn, and how.
 const MESHES: [(f64, Colour, Style); 4] = [
@@ -74,7 +74,7 @@ impl Profiles {
         for variant in BASES {
             for (mesh, &(refinement, ..)) in MESHES.iter().enumerate() {
                 let run = run_of(Problem::Crossed, &Variant::named(variant), refinement);
-                let result = wide::run(&run.scene, |_| {});
+                let result = planted::run(&run.scene, |_| {});
                 let fibre = &run.scene.primary;
                 let spacing = fibre.length / fibre.elements as f64;
                 if refinement == 1.0

@@ -1,7 +1,5 @@
 //! Strain of the primary of Fig. 3 over place and time, until reflections are back.
 
-use crossfibre::exact::motion::motion;
-
 use super::super::exact::Piece;
 use super::super::exact::integral;
 use super::super::problems::Problem;
@@ -9,8 +7,9 @@ use super::super::variants::Variant;
 use super::BASES;
 use crate::closed_form;
 use crate::figures::points::mean_over;
+use crate::oracle::motion;
+use crate::planted;
 use crate::plot::{self, Axis, Map};
-use crate::wide;
 use crossfibre::scene::Scene;
 
 /// The variant: the exact fronts of its law are followed without chords.
@@ -60,7 +59,7 @@ pub fn exact() -> String {
 /// Strains, %; each row is the first step that is not before its middle.
 fn marched_cells(scene: &Scene) -> Vec<f64> {
     let mut cells = Vec::new();
-    wide::run(scene, |state| {
+    planted::run(scene, |state| {
         while cells.len() < COLUMNS * ROWS && state.time() >= time(cells.len() / COLUMNS) {
             let strain = &state.primary.strain;
             let mean = |k| mean_over(scene.primary.length, strain, column(scene, k));

@@ -1,0 +1,144 @@
+//! The exact solutions that checks compare with: those of [`crossfibre::exact`], unless a fault of
+//! [`crate::planted::exact`] is planted.
+//!
+//! Checks take types from `crossfibre::exact`, but solve through here.
+
+use crossfibre::exact::crossover::{self, Crossover};
+use crossfibre::exact::dalembert::Mesh;
+use crossfibre::exact::dispersion;
+use crossfibre::exact::elastic::{Elastic, Hyperelastic, LawError};
+use crossfibre::exact::exponential::Exponential;
+use crossfibre::exact::fronts::Problem;
+use crossfibre::exact::motion::{self, Motion};
+use crossfibre::exact::polynomial::Polynomial;
+use crossfibre::exact::smith::{self, Fibre, Law, Smith, SmithError};
+use crossfibre::exact::viscoelastic::{Arm, PulledRod, RodError, RodState};
+use crossfibre::exact::wave::Wave;
+
+use crate::planted::exact::Wrong;
+use crate::planted::{Plant, now};
+
+fn wrong() -> Option<Wrong> {
+    match now() {
+        Some(Plant::Exact(wrong)) => Some(wrong),
+        _ => None,
+    }
+}
+
+fn is(fault: Wrong) -> bool {
+    wrong() == Some(fault)
+}
+
+/// As [`smith::smith`].
+pub fn smith(law: Law, wave_speed: f64, velocity: f64) -> Result<Smith, SmithError> {
+    let Some(wrong) = wrong() else { return smith::smith(law, wave_speed, velocity) };
+    let solved = smith::smith(wrong.law_of_impact(law), wave_speed, velocity);
+    solved.map(|right| wrong.impact(right, velocity))
+}
+
+/// As [`smith::struck`].
+pub fn struck(material: &impl Elastic, velocity: f64) -> Result<Smith, SmithError> {
+    let solved = smith::struck(material, velocity);
+    match wrong() {
+        None => solved,
+        Some(wrong) => solved.map(|right| wrong.impact(right, velocity)),
+    }
+}
+
+/// As [`crossover::crossover`].
+pub fn crossover(
+    law: Law,
+    primary: &Fibre,
+    secondary: &Fibre,
+    slide_factor: f64,
+    velocity: f64,
+) -> Result<Crossover, SmithError> {
+    let Some(wrong) = wrong() else {
+        return crossover::crossover(law, primary, secondary, slide_factor, velocity);
+    };
+    let (law, [a, b]) = wrong.crossing(law, [*primary, *secondary], slide_factor);
+    let solved = crossover::crossover(law, &a, &b, slide_factor, velocity)?;
+    Ok(wrong.crossed(solved, [a, b]))
+}
+
+/// As [`motion::motion`].
+pub fn motion(problem: &Problem<Hyperelastic>, mass: Option<f64>, time: f64) -> Motion {
+    let Some(wrong) = wrong() else { return motion::motion(problem, mass, time) };
+    let mass = if wrong == Wrong::MotionMass { mass.map(|mass| 0.5 * mass) } else { mass };
+    let time = if wrong == Wrong::MotionEarly { 0.99 * time } else { time };
+    motion::motion(&wrong.problem(problem), mass, time)
+}
+
+/// As [`dispersion::frequency`].
+pub fn frequency(k: f64, dx: f64, dt: f64, alpha: f64) -> Option<f64> {
+    let alpha = if is(Wrong::DispersionCourant) { 1.0 } else { alpha };
+    let frequency = dispersion::frequency(k, dx, dt, alpha);
+    if is(Wrong::DispersionHalf) { frequency.map(|omega| 0.5 * omega) } else { frequency }
+}
+
+/// As [`dispersion::amplification`].
+pub fn amplification(alpha: f64, k_dx: f64) -> f64 {
+    let right = dispersion::amplification(alpha, k_dx);
+    match wrong() {
+        Some(Wrong::GrowthRoot) => 1.0 / right,
+        Some(Wrong::GrowthTwice) => right * right,
+        _ => right,
+    }
+}
+
+/// As [`Mesh::strain`].
+pub fn mesh_strain(mesh: Mesh, element: usize, step: usize) -> usize {
+    match wrong() {
+        Some(Wrong::MeshReflection) => mesh.strain(element, step).min(1),
+        Some(Wrong::MeshLate) => mesh.strain(element, step - 1),
+        _ => mesh.strain(element, step),
+    }
+}
+
+/// As [`Mesh::velocity`].
+pub fn mesh_velocity(mesh: Mesh, node: usize, step: usize) -> usize {
+    let step = if is(Wrong::MeshLate) { step - 1 } else { step };
+    mesh.velocity(node, step)
+}
+
+/// As [`PulledRod::new`].
+pub fn pulled_rod(
+    density: f64,
+    spring: f64,
+    arms: &[Arm],
+    velocity: f64,
+) -> Result<PulledRod, RodError> {
+    match wrong() {
+        None => PulledRod::new(density, spring, arms, velocity),
+        Some(wrong) => PulledRod::new(density, spring, &wrong.arms(arms), velocity),
+    }
+}
+
+/// As [`PulledRod::at`].
+pub fn rod_at(rod: &PulledRod, x: f64, t: f64) -> Result<RodState, RodError> {
+    rod.at(x, if is(Wrong::RodEarly) { 0.99 * t } else { t })
+}
+
+/// As [`Polynomial::new`].
+pub fn polynomial(density: f64, coefficients: &[f64]) -> Result<Polynomial, LawError> {
+    if is(Wrong::PolynomialHalf) {
+        let mut halved = coefficients.to_vec();
+        halved.iter_mut().skip(1).for_each(|c| *c *= 0.5);
+        return Polynomial::new(density, &halved);
+    }
+    Polynomial::new(density, coefficients)
+}
+
+/// As [`Exponential::new`].
+pub fn exponential(density: f64, a: f64, b: f64) -> Result<Exponential, LawError> {
+    if is(Wrong::ExponentialHalf) {
+        return Exponential::new(density, 2.0 * a, 0.5 * b);
+    }
+    Exponential::new(density, a, b)
+}
+
+/// As [`Wave::dissipation`].
+pub fn dissipation<M: Elastic>(wave: &Wave<'_, M>) -> f64 {
+    let right = wave.dissipation();
+    if is(Wrong::Dissipation) { 2.0 * right } else { right }
+}
