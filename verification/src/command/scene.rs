@@ -30,7 +30,7 @@ pub fn read(path: &Path) -> Result<Scene> {
 
 /// `FILE:LINE:COLUMN: path: message`, and the help below.
 fn located(file: &str, fault: &Fault) -> anyhow::Error {
-    let Fault { path, line, column, message, help } = fault;
+    let Fault { path, line, column, message, help, .. } = fault;
     let path = if path.is_empty() { String::new() } else { format!("{path}: ") };
     let help = help.as_ref().map_or(String::new(), |help| format!("\n  help: {help}"));
     anyhow!("{file}:{line}:{column}: {path}{message}{help}")
