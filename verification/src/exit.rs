@@ -1,8 +1,10 @@
 //! Exit codes, and what becomes of a panic.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::panic::{self, UnwindSafe};
 use std::process::ExitCode;
+
+use anstyle::{AnsiColor, Style};
 
 /// How the command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,9 +40,16 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// Writes a line to standard error, and does without if that is closed.
+/// How what is wrong is marked, where there are colours.
+pub const BAD: Style = AnsiColor::BrightRed.on_default().bold();
+
+/// How what is right is marked.
+pub const GOOD: Style = AnsiColor::BrightGreen.on_default().bold();
+
+/// Writes a line to standard error, and does without if that is closed. Colours are for terminals only,
+/// and not for those who set `NO_COLOR`.
 pub fn say(line: &str) {
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(anstream::stderr(), "{line}");
 }
 
 /// Does the work; a panic on the way is a fault of this program, and said to be one.

@@ -2,6 +2,7 @@
 //! is told in a line and ends it with code 1.
 
 mod conform;
+mod diagnostic;
 mod diff;
 mod ended;
 mod exact;
@@ -18,10 +19,12 @@ mod verify;
 
 use std::process::ExitCode;
 
+use annotate_snippets::Renderer;
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 
-use crate::exit::{self, Exit};
+use self::diagnostic::BadScene;
+use crate::exit::{self, BAD, Exit};
 use crate::output::is_broken_pipe;
 
 /// A literal, traceable reference of a 1980 model of stress waves in two crossed fibres.
@@ -89,7 +92,10 @@ fn told(ended: Result<Exit>) -> Exit {
         Ok(exit) => exit,
         Err(error) if is_broken_pipe(&error) => Exit::Well,
         Err(error) => {
-            exit::say(&format!("error: {error:#}"));
+            exit::say(&match error.downcast_ref::<BadScene>() {
+                Some(bad) => bad.rendered(&Renderer::styled()),
+                None => format!("{BAD}error:{BAD:#} {error:#}"),
+            });
             Exit::BadInput
         }
     }
