@@ -16,6 +16,7 @@ mod study;
 mod trace;
 mod vectors;
 mod verify;
+mod verify_shown;
 
 use std::process::ExitCode;
 
