@@ -22,6 +22,8 @@ pub enum Exit {
     CandidateDisagrees = 4,
     /// A fault of this program.
     Fault = 70,
+    /// Interrupted from the keyboard, or terminated.
+    Interrupted = 130,
 }
 
 /// The exit codes for the end of `--help`.
@@ -32,7 +34,8 @@ Exit codes:
    2  a check failed
    3  the run diverged or otherwise ended early (its result is still written)
    4  a candidate disagrees with the reference, or a trace with another
-  70  a fault of this program";
+  70  a fault of this program
+ 130  interrupted; no file is left half written";
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
@@ -82,6 +85,7 @@ mod tests {
             Exit::RunEnded,
             Exit::CandidateDisagrees,
             Exit::Fault,
+            Exit::Interrupted,
         ];
         let listed: Vec<u8> = HELP
             .lines()

@@ -18,6 +18,7 @@ pub mod faulty;
 pub mod figures;
 pub mod fronts;
 pub mod golden;
+pub mod interrupt;
 pub mod ledger_effects;
 pub mod output;
 pub mod plot;

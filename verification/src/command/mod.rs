@@ -26,6 +26,7 @@ use clap::{Parser, Subcommand};
 
 use self::diagnostic::BadScene;
 use crate::exit::{self, BAD, Exit};
+use crate::interrupt;
 use crate::output::is_broken_pipe;
 
 /// A literal, traceable reference of a 1980 model of stress waves in two crossed fibres.
@@ -62,6 +63,7 @@ enum Command {
 
 /// The whole command, from arguments to exit code.
 pub fn main() -> ExitCode {
+    interrupt::prepare();
     exit::guarded(|| match Cli::try_parse() {
         Ok(cli) => told(run(cli.command)),
         Err(usage) => {
