@@ -6,12 +6,14 @@ mod diagnostic;
 mod diff;
 mod ended;
 mod exact;
+mod new;
 mod plan;
 mod plan_accuracy;
 mod run;
 mod scene;
 mod schema;
 mod select;
+mod shell;
 mod study;
 mod trace;
 mod vectors;
@@ -22,7 +24,7 @@ use std::process::ExitCode;
 
 use annotate_snippets::Renderer;
 use anyhow::Result;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use self::diagnostic::BadScene;
 use crate::exit::{self, BAD, Exit};
@@ -39,6 +41,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a commented scene to start from.
+    New(new::Args),
     /// Run a scene and say what came of it.
     Run(run::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
@@ -59,6 +63,10 @@ enum Command {
     Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
     Schema(schema::Args),
+    /// Print the completions of the command line for a shell.
+    Completions(shell::Completions),
+    /// Print the manual page, or write those of all subcommands.
+    Man(shell::Pages),
 }
 
 /// The whole command, from arguments to exit code.
@@ -77,6 +85,7 @@ pub fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<Exit> {
     match command {
+        Command::New(args) => new::run(&args),
         Command::Run(args) => run::run(&args),
         Command::Trace(args) => trace::run(args),
         Command::Diff(args) => diff::run(args),
@@ -87,6 +96,8 @@ fn run(command: Command) -> Result<Exit> {
         Command::Conform(args) => conform::run(args),
         Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => shell::completions(&args, Cli::command()),
+        Command::Man(args) => shell::man(&args, Cli::command()),
     }
 }
 
