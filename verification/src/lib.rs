@@ -26,6 +26,8 @@ pub mod precision;
 pub mod random;
 pub mod record;
 pub mod report;
+pub mod result_formats;
+pub mod result_plot;
 pub mod sensitivity;
 pub mod stability;
 pub mod summary;

@@ -9,6 +9,7 @@ mod exact;
 mod new;
 mod plan;
 mod plan_accuracy;
+mod plot;
 mod run;
 mod scene;
 mod schema;
@@ -45,6 +46,8 @@ enum Command {
     New(new::Args),
     /// Run a scene and say what came of it.
     Run(run::Args),
+    /// Draw a result: strain, tension and shape of the fibres.
+    Plot(plot::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
     Trace(trace::Args),
     /// Compare two traces: the first difference, where the fault lies, and all others counted.
@@ -87,6 +90,7 @@ fn run(command: Command) -> Result<Exit> {
     match command {
         Command::New(args) => new::run(&args),
         Command::Run(args) => run::run(&args),
+        Command::Plot(args) => plot::run(&args),
         Command::Trace(args) => trace::run(args),
         Command::Diff(args) => diff::run(args),
         Command::Exact(args) => exact::run(&args),
