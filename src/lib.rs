@@ -44,11 +44,16 @@ pub mod paper;
 pub mod place;
 pub mod plan;
 pub mod result;
+pub mod result_file;
 pub mod scene;
 pub mod scene_check;
 pub mod scene_file;
 mod scene_material;
 mod scene_misfit;
+#[cfg(feature = "schema")]
+mod scene_schema;
+mod scene_syntax;
+mod scene_text;
 pub mod state;
 pub mod trace;
 pub mod trace_file;

@@ -1,8 +1,10 @@
 //! What a mistyped name was meant to be.
 
-/// The known name that differs by the fewest edits, if that is at most a third of its letters.
+/// The known name that differs by the fewest edits, if that is at most a third of its letters;
+/// capitals do not count.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
-    let (edits, best) = known.iter().map(|known| (edits(name, known), *known)).min()?;
+    let name = name.to_lowercase();
+    let (edits, best) = known.iter().map(|known| (edits(&name, known), *known)).min()?;
     (edits <= best.chars().count().div_ceil(3)).then_some(best)
 }
 

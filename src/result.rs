@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::balance::Balance;
 use crate::corrected::{Corrected, Engineering, Incremental};
@@ -18,7 +18,7 @@ use crate::paper::Paper;
 use crate::scene::{Scene, Strain};
 use crate::state::{FibreState, State, Wavefront, Work};
 
-/// The format that this version writes.
+/// The format that this version writes and reads ([`crate::result_file`]).
 pub const FORMAT: &str = "crossfibre-result/1";
 
 /// A run whose energy balance is off by more than this many times the energy put in, or the balance of
@@ -30,11 +30,11 @@ pub const FORMAT: &str = "crossfibre-result/1";
 pub const MOST_IMBALANCE: f64 = 0.1;
 
 /// A result.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RunResult {
     /// `crossfibre-result/1`.
-    pub format: &'static str,
+    pub format: String,
     /// How the run ended.
     pub outcome: Outcome,
     /// Time reached, s: steps × Δt.
@@ -60,9 +60,11 @@ pub struct RunResult {
 }
 
 /// A fibre at the end of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FibreResult {
+    /// Δx, the distance of nodes in the unstrained fibre, m.
+    pub spacing: f64,
     /// Of each node, m.
     pub position: Vec<Vec<f64>>,
     /// Of each node, m/s; it has carried the node to its position over the last step.
@@ -74,7 +76,7 @@ pub struct FibreResult {
 }
 
 /// The projectile at the end of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProjectileResult {
     /// Velocity for the next step, m/s.
@@ -84,7 +86,7 @@ pub struct ProjectileResult {
 }
 
 /// The crossover at the end of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CrossoverResult {
     /// `ix`, the nearest node of the primary.
@@ -96,7 +98,7 @@ pub struct CrossoverResult {
 }
 
 /// Work done by a run.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Counts {
     /// Elements visited, summed over the steps and the fibres.
@@ -252,7 +254,7 @@ impl RunResult {
             other => other,
         };
         Self {
-            format: FORMAT,
+            format: FORMAT.into(),
             outcome,
             time: state.time().to_f64(),
             steps: state.step,
@@ -278,6 +280,7 @@ impl FibreResult {
     fn of<S: Number, const D: usize>(fibre: &FibreState<S, D>) -> Self {
         let numbers = |v: &[S]| v.iter().map(|x| x.to_f64()).collect::<Vec<_>>();
         Self {
+            spacing: fibre.properties.spacing.to_f64(),
             position: fibre.position.iter().map(|v| numbers(v.as_slice())).collect(),
             velocity: fibre.velocity.iter().map(|v| numbers(v.as_slice())).collect(),
             strain: numbers(&fibre.strain),

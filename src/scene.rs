@@ -19,9 +19,11 @@ pub const FORMAT: &str = "crossfibre-scene/1";
 /// A complete description of one run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(transform = crate::scene_schema::of_files))]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// `crossfibre-scene/1`.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = FORMAT)))]
     pub format: String,
     /// A name for people.
     #[serde(default)]
@@ -34,16 +36,18 @@ pub struct Scene {
     pub secondary: Option<Secondary>,
     /// What strikes.
     pub projectile: Projectile,
-    /// Courant number α: Δt = α × the smaller Δx/c of the fibres.
+    /// Courant number α: Δt = α × the smaller Δx/c of the fibres. The scheme is stable up to 1.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1.0))]
     pub courant: f64,
     /// Time to run, s. The number of steps is duration/Δt rounded.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 28.7e-6))]
     pub duration: f64,
     /// How strain is measured.
     #[serde(default)]
     pub strain: Strain,
     /// `"all"` (default), `"none"` (the page as printed) or a list of ledger ids.
     #[serde(default = "all_corrections", with = "corrections")]
-    #[cfg_attr(feature = "schema", schemars(with = "corrections::Text"))]
+    #[cfg_attr(feature = "schema", schemars(with = "crate::scene_schema::Corrections"))]
     pub corrections: Corrections,
 }
 
@@ -66,12 +70,16 @@ impl Scene {
 #[serde(deny_unknown_fields)]
 pub struct Primary {
     /// Length of the modelled half, from the impact point to the clamp, m.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 0.3))]
     pub length: f64,
     /// Number of elements, at least 2.
+    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = crate::scene_check::MAX_ELEMENTS), example = 150))]
     pub elements: usize,
     /// Density, kg/m³.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1206.7))]
     pub density: f64,
     /// Cross-section, m².
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1e-6))]
     pub area: f64,
     /// The law between strain and tension.
     pub material: Material,
@@ -83,18 +91,24 @@ pub struct Primary {
 #[serde(deny_unknown_fields)]
 pub struct Secondary {
     /// Distance of the crossover from the impact point along the primary fibre, m.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0), example = 0.1))]
     pub at: f64,
     /// Length of the modelled half, from the crossover to the clamp, m.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 0.3))]
     pub length: f64,
     /// Number of elements, at least 2.
+    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = crate::scene_check::MAX_ELEMENTS), example = 150))]
     pub elements: usize,
     /// Density, kg/m³.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1206.7))]
     pub density: f64,
     /// Cross-section, m².
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1e-6))]
     pub area: f64,
     /// The law between strain and tension.
     pub material: Material,
     /// Slide factor α_s: 1 lets nothing slide, 0 lets it slide freely along the primary.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1), example = 1.0))]
     pub slide_factor: f64,
 }
 
@@ -104,10 +118,11 @@ pub struct Secondary {
 #[serde(deny_unknown_fields)]
 pub struct Projectile {
     /// Velocity at impact, m/s.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 400.0))]
     pub velocity: f64,
     /// Mass, kg; leave it out for a velocity that stays constant.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64", extend("exclusiveMinimum" = 0), example = 0.001))]
     pub mass: Option<f64>,
 }
 
@@ -136,9 +151,8 @@ mod corrections {
     use super::*;
 
     #[derive(Serialize)]
-    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
     #[serde(untagged)]
-    pub enum Text {
+    enum Text {
         Word(String),
         Ids(Vec<String>),
     }

@@ -4,6 +4,7 @@
 //! later passes has a path, and `json_locate` finds its place in the text.
 
 use std::fmt;
+use std::ops::Range;
 
 use serde_json::Value;
 
@@ -11,6 +12,8 @@ use crate::json_locate::{line_and_column, value};
 use crate::scene::Scene;
 use crate::scene_check::{Problem, check_format};
 use crate::scene_misfit::misfit;
+use crate::scene_syntax::parse;
+use crate::scene_text::{SCHEMA, without_comments, without_schema};
 
 /// What is wrong with a text, and where. Lines and columns count from 1, columns in characters.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,14 +28,17 @@ pub struct Fault {
     pub message: String,
     /// What to do.
     pub help: Option<String>,
+    /// The piece of the text concerned, in bytes; a single place where something is missing.
+    pub span: Range<usize>,
 }
 
 impl Fault {
     /// A problem at a piece of the text.
     pub(crate) fn new(text: &str, piece: &str, problem: Problem) -> Self {
         let (line, column) = line_and_column(text, piece);
+        let start = piece.as_ptr().addr() - text.as_ptr().addr();
         let Problem { path, message, help } = problem;
-        Self { path, line, column, message, help }
+        Self { path, line, column, message, help, span: start..start + piece.len() }
     }
 
     /// A problem at the value of its path.
@@ -75,9 +81,15 @@ pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Fault> {
     ))
 }
 
-/// Reads a scene from text.
+/// Reads a scene from text, in which there may be comments from `//` to the end of a line.
 pub fn read(text: &str) -> Result<Scene, Fault> {
+    let text = &without_comments(text);
     let json = parse(text)?;
+    if json.get(SCHEMA).is_some_and(|schema| !schema.is_string()) {
+        let (path, message) = (SCHEMA.into(), "must be a string, the place of a schema".into());
+        return Err(Fault::at_path(text, Problem { path, message, help: None }));
+    }
+    let text = &without_schema(text);
     if let Some(format) = json.get("format").and_then(Value::as_str) {
         check_format(format).map_err(|problem| Fault::at_path(text, problem))?;
     }
@@ -87,68 +99,6 @@ pub fn read(text: &str) -> Result<Scene, Fault> {
         .map_err(|error| misfit(text, &path_of(&error), error.inner()))?;
     scene.check().map_err(|problem| Fault::at_path(text, problem))?;
     Ok(scene)
-}
-
-/// Whether the text is JSON.
-fn parse(text: &str) -> Result<Value, Fault> {
-    let at_start = |message: &str, help: &str| {
-        let (message, help) = (message.into(), Some(help.into()));
-        Err(Fault::new(text, text, Problem { path: String::new(), message, help }))
-    };
-    if text.trim().is_empty() {
-        return at_start(
-            "the text is empty",
-            "`crossfibre schema` prints what a scene consists of",
-        );
-    }
-    if text.starts_with('\u{FEFF}') {
-        return at_start("the text begins with a byte order mark", "save it as UTF-8 without one");
-    }
-    let mut json = serde_json::Deserializer::from_str(text);
-    let value = serde_path_to_error::deserialize(&mut json)
-        .map_err(|error| not_json(text, path_of(&error), error.inner()))?;
-    json.end().map_err(|error| not_json(text, String::new(), &error))?;
-    Ok(value)
-}
-
-fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
-    let (line, column) = position(text, error);
-    let fault = Fault { path, line, column, message: bare(error), help: None };
-    if error.is_eof() {
-        return Fault { message: format!("the text ends too early: {}", fault.message), ..fault };
-    }
-    if fault.message == "number out of range"
-        && let Some(number) = value(text, &fault.path)
-    {
-        let (line, column) = line_and_column(text, number);
-        let message = format!("{number} is too large for a double");
-        return Fault { line, column, message, ..fault };
-    }
-    let word = word_at(text, line, column);
-    let name = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
-    if ["nan", "inf", "infinity"].contains(&name.as_str()) {
-        let (line, column) = line_and_column(text, word);
-        let message = format!("{word} is not a number; JSON has neither NaN nor infinity");
-        return Fault { line, column, message, ..fault };
-    }
-    fault
-}
-
-/// Line and column (in characters) of an error whose column counts bytes.
-fn position(text: &str, error: &serde_json::Error) -> (usize, usize) {
-    let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or("");
-    let before = line.char_indices().take_while(|(byte, _)| byte + 1 < error.column()).count();
-    (error.line().max(1), before + 1)
-}
-
-/// The word of letters and signs that holds or follows the character at a line and column.
-fn word_at(text: &str, line: usize, column: usize) -> &str {
-    let line = text.split('\n').nth(line - 1).unwrap_or("");
-    let byte = line.char_indices().nth(column - 1).map_or(line.len(), |(byte, _)| byte);
-    let in_word = |c: char| c.is_ascii_alphabetic() || c == '-' || c == '+';
-    let start = line[..byte].trim_end_matches(in_word).len();
-    let word = &line[start..];
-    &word[..word.find(|c| !in_word(c)).unwrap_or(word.len())]
 }
 
 /// serde takes an array as the fields of a struct in order: a scene names its fields.
@@ -185,7 +135,8 @@ pub(crate) fn bare(error: &serde_json::Error) -> String {
     message.strip_suffix(&suffix).map_or(message.clone(), String::from)
 }
 
-fn path_of<E>(error: &serde_path_to_error::Error<E>) -> String {
+/// Where serde was when it failed; empty for the whole.
+pub(crate) fn path_of<E>(error: &serde_path_to_error::Error<E>) -> String {
     let path = error.path().to_string();
     match path.as_str() {
         "." | "?" => String::new(),

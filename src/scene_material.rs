@@ -29,27 +29,37 @@ pub struct Material {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Law {
     /// Eqn (7): σ = E ε.
+    #[cfg_attr(feature = "schema", schemars(title = "linear"))]
     Linear {
         /// Young's modulus E, Pa.
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 58.6e9))]
         modulus: f64,
     },
     /// σ = E₁ε + E₂ε² + …
+    #[cfg_attr(feature = "schema", schemars(title = "polynomial"))]
     Polynomial {
         /// E₁ > 0, E₂, …, Pa.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1), extend("examples" = [[58.6e9, 1e12]])))]
         coefficients: Vec<f64>,
     },
     /// σ = a(exp(bε) − 1).
+    #[cfg_attr(feature = "schema", schemars(title = "exponential"))]
     Exponential {
         /// a, Pa.
+        #[cfg_attr(feature = "schema", schemars(example = 1.3e9))]
         a: f64,
         /// b, of the same sign.
+        #[cfg_attr(feature = "schema", schemars(example = 45.0))]
         b: f64,
     },
     /// σ = E∞ε + Σ s with ds/dt = E dε/dt − s/τ in each arm.
+    #[cfg_attr(feature = "schema", schemars(title = "viscoelastic"))]
     Viscoelastic {
         /// E∞, Pa; 0 for a liquid.
+        #[cfg_attr(feature = "schema", schemars(range(min = 0), example = 30e9))]
         equilibrium_modulus: f64,
         /// At least one.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
         arms: Vec<Arm>,
         /// How an arm goes through a step.
         #[serde(skip_serializing_if = "Update::is_exact")]
@@ -57,14 +67,19 @@ pub enum Law {
         update: Update,
     },
     /// σ = E∞ε + s with ds/dt = E(dε/dt − rate sinh(s/stress)).
+    #[cfg_attr(feature = "schema", schemars(title = "eyring"))]
     Eyring {
         /// E∞, Pa; 0 for a liquid.
+        #[cfg_attr(feature = "schema", schemars(range(min = 0), example = 30e9))]
         equilibrium_modulus: f64,
         /// E of the arm, Pa.
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 28.6e9))]
         modulus: f64,
         /// Of the flow, 1/s.
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1e3))]
         rate: f64,
         /// By which the flow grows e-fold, Pa.
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 5e7))]
         stress: f64,
         /// How the arm goes through a step.
         #[serde(skip_serializing_if = "Update::is_exact")]

@@ -18,21 +18,34 @@ pub(crate) fn misfit(text: &str, path: &str, error: &serde_json::Error) -> Fault
             Fault::new(text, key(text, path, name, 1).unwrap_or(text), problem)
         }
         _ => {
-            let path = path.into();
-            let help = message.contains("type: null").then(|| {
-                "leave out what is not given; some programs write a NaN as null".to_string()
-            });
-            Fault::at_path(text, Problem { path, message: in_plain_words(message), help })
+            let (path, message) = (path.into(), in_plain_words(message));
+            let help = advice(&message).map(Into::into);
+            Fault::at_path(text, Problem { path, message, help })
         }
     }
+}
+
+/// What to do about a value of another type than is expected.
+fn advice(message: &str) -> Option<&'static str> {
+    if message.contains("type: null") {
+        return Some("leave out what is not given; some programs write a NaN as null");
+    }
+    let (text, _) =
+        message.strip_prefix("invalid type: string \"")?.split_once("\", expected a ")?;
+    Some(match text.trim().parse::<f64>() {
+        _ if message.ends_with("boolean") => "write true or false, without quotation marks",
+        Ok(_) => "write the number without quotation marks",
+        Err(_) => "write the number alone, in SI units (m, kg, s, Pa) and without quotation marks",
+    })
 }
 
 /// A name that is none of the known ones: of a field, a law, a measure of strain, a correction.
 fn unknown(text: &str, path: &str, message: &str, name: &str, known: &[&str]) -> Fault {
     let what = message.split(", expected").next().unwrap_or(message);
+    let what = what.replace("unknown variant", "unknown name");
     let message = match nearest(name, known) {
         Some(meant) => format!("{what}, did you mean `{meant}`?"),
-        None => what.into(),
+        None => what,
     };
     let help = Some(format!("known here: {}", known.join(", ")));
     if !message.starts_with("unknown field") {

@@ -46,9 +46,11 @@ pub struct Mesh {
 pub struct Coefficients {
     /// Of the part that grows with the strain rate. Of order 0.1.
     #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub linear: f64,
     /// Of the part that grows with its square. Of order 1.
     #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub quadratic: f64,
 }
 

@@ -13,8 +13,10 @@ use crate::number::Number;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Arm {
     /// E, Pa.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub modulus: f64,
     /// τ, s.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub relaxation_time: f64,
 }
 

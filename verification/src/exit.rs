@@ -1,8 +1,10 @@
 //! Exit codes, and what becomes of a panic.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::panic::{self, UnwindSafe};
 use std::process::ExitCode;
+
+use anstyle::{AnsiColor, Style};
 
 /// How the command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +22,8 @@ pub enum Exit {
     CandidateDisagrees = 4,
     /// A fault of this program.
     Fault = 70,
+    /// Interrupted from the keyboard, or terminated.
+    Interrupted = 130,
 }
 
 /// The exit codes for the end of `--help`.
@@ -30,7 +34,8 @@ Exit codes:
    2  a check failed
    3  the run diverged or otherwise ended early (its result is still written)
    4  a candidate disagrees with the reference, or a trace with another
-  70  a fault of this program";
+  70  a fault of this program
+ 130  interrupted; no file is left half written";
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
@@ -38,9 +43,16 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// Writes a line to standard error, and does without if that is closed.
+/// How what is wrong is marked, where there are colours.
+pub const BAD: Style = AnsiColor::BrightRed.on_default().bold();
+
+/// How what is right is marked.
+pub const GOOD: Style = AnsiColor::BrightGreen.on_default().bold();
+
+/// Writes a line to standard error, and does without if that is closed. Colours are for terminals only,
+/// and not for those who set `NO_COLOR`.
 pub fn say(line: &str) {
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(anstream::stderr(), "{line}");
 }
 
 /// Does the work; a panic on the way is a fault of this program, and said to be one.
@@ -73,6 +85,7 @@ mod tests {
             Exit::RunEnded,
             Exit::CandidateDisagrees,
             Exit::Fault,
+            Exit::Interrupted,
         ];
         let listed: Vec<u8> = HELP
             .lines()

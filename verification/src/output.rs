@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use tempfile::NamedTempFile;
 
+use crate::interrupt::unfinished;
+
 /// Where output is to go, found fit to be written.
 #[derive(Debug)]
 pub enum Destination {
@@ -49,7 +51,10 @@ impl Destination {
                 Output::Device(BufWriter::new(file))
             }
             Self::File(path) => {
+                // An interrupt finds either both the file and its name, or neither.
+                let mut unfinished = unfinished();
                 let file = temporary().tempfile_in(folder(&path)).with_context(|| name(&path))?;
+                unfinished.insert(file.path().into());
                 Output::File(BufWriter::new(file), path)
             }
         })
@@ -97,6 +102,8 @@ impl Output {
             Self::File(out, path) => {
                 let file =
                     out.into_inner().map_err(|e| e.into_error()).with_context(|| name(&path))?;
+                let mut unfinished = unfinished();
+                unfinished.remove(file.path());
                 file.persist(&path).map_err(|e| e.error).with_context(|| name(&path))?;
                 Ok(())
             }

@@ -3,6 +3,7 @@
 //! Reports are pure functions of it. Times are in it and in `junit.xml`; `VALIDATION.md` leaves them
 //! out, so that the same source gives the same file.
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use crossfibre::errata::LEDGER;
@@ -103,25 +104,36 @@ pub struct LedgerLine {
 
 /// Runs cases on all cores; `done` is told of each as it ends.
 pub fn run_cases(cases: &[Case], done: impl Fn(&CaseRecord) + Sync) -> Vec<CaseRecord> {
-    cases
-        .par_iter()
-        .map(|case| {
-            let start = Instant::now();
-            let checks = (case.run)()
-                .into_iter()
-                .map(|check| CheckRecord { verdict: check.verdict(), check })
-                .collect();
-            let record = CaseRecord {
-                id: case.id.into(),
-                title: case.title.into(),
-                equations: case.equations.to_vec(),
-                checks,
-                seconds: start.elapsed().as_secs_f64(),
-            };
-            done(&record);
-            record
-        })
-        .collect()
+    run_watched(cases, |_| (), |_, record| done(record))
+}
+
+/// Runs cases on all cores and begins them in their order. `begins` is told of each, `done` of each as it
+/// ends, by its place in the order.
+pub fn run_watched(
+    cases: &[Case],
+    begins: impl Fn(&Case) + Sync,
+    done: impl Fn(usize, &CaseRecord) + Sync,
+) -> Vec<CaseRecord> {
+    let run = |(place, case): (usize, &Case)| {
+        begins(case);
+        let start = Instant::now();
+        let checks = (case.run)()
+            .into_iter()
+            .map(|check| CheckRecord { verdict: check.verdict(), check })
+            .collect();
+        let record = CaseRecord {
+            id: case.id.into(),
+            title: case.title.into(),
+            equations: case.equations.to_vec(),
+            checks,
+            seconds: start.elapsed().as_secs_f64(),
+        };
+        done(place, &record);
+        (place, record)
+    };
+    // A slice would be divided in halves, and the second begun before the first is done.
+    let records: BTreeMap<_, _> = cases.iter().enumerate().par_bridge().map(run).collect();
+    records.into_values().collect()
 }
 
 impl CaseRecord {

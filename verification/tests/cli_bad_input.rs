@@ -29,6 +29,14 @@ const BAD: &[(&str, &str)] = &[
     ("\"linear\"", "\"liner\""),
     ("crossfibre-scene/1", "crossfibre-scene/7"),
     ("\"secondary\": {", "\"secondary\": {{"),
+    ("0.2871", "287.1 mm"),
+    ("0.2871", "\"287.1 mm\""),
+    ("0.2871", "0,2871"),
+    ("\"mass\"", "\"velocity\""),
+    ("\"all\"", "\"all\","),
+    ("\"courant\"", "// Courant's number\n  \"courrant\""),
+    ("\"courant\"", "/* Courant's number */ \"courant\""),
+    ("\"format\"", "\"$schema\": 7, \"format\""),
 ];
 
 #[test]
@@ -50,7 +58,13 @@ fn bad_input_is_refused_with_its_place_and_nothing_is_written() {
         ] {
             let ended = crossfibre(folder.path(), command);
             assert_eq!((ended.code, ended.stdout.as_str()), (1, ""), "{to}: {command:?}");
-            assert!(ended.stderr.starts_with("error: scene.json:"), "{}", ended.stderr);
+            let (told, shown) = ended.stderr.split_once("\n").unwrap();
+            assert!(
+                told.starts_with("error: ") && shown.contains("--> scene.json:"),
+                "{}",
+                ended.stderr
+            );
+            assert!(!ended.stderr.contains('\u{1b}'), "colours where there is no terminal");
             if command[1..] == ["scene.json", "--json"] {
                 seen += &format!("{from} -> {to}\n{}\n", ended.stderr);
             }
@@ -66,6 +80,11 @@ fn what_is_no_scene_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("latin-1.json"), b"{\n  \"title\": \"28.7 \xB5s\"\n}").unwrap();
     fs::write(folder.path().join("empty.json"), "").unwrap();
+    fs::write(folder.path().join("mark.json"), "\u{FEFF}{}").unwrap();
+    fs::write(folder.path().join("utf-16.json"), b"\xFF\xFE{\0}\0").unwrap();
+    fs::write(folder.path().join("words.json"), "primary:\n  length: 0.2871\n").unwrap();
+    fs::write(folder.path().join("list.json"), "[{}]").unwrap();
+    fs::write(folder.path().join("deep.json"), "{\"a\":".repeat(200)).unwrap();
     fs::create_dir(folder.path().join("folder")).unwrap();
     fs::copy(scenes().join("fig3.json"), folder.path().join("fig3.json")).unwrap();
     let mut seen = String::new();
@@ -74,6 +93,11 @@ fn what_is_no_scene_file_is_refused() {
         "run folder",
         "run latin-1.json",
         "run empty.json",
+        "run mark.json",
+        "run utf-16.json",
+        "run words.json",
+        "run list.json",
+        "run deep.json",
         "run -",
         "run fig3.json -o folder",
         "run fig3.json -o nowhere/result.json",
@@ -85,5 +109,5 @@ fn what_is_no_scene_file_is_refused() {
         seen += &format!("{command}\n{}\n", ended.stderr);
     }
     assert_snapshot("no-scene-file", &seen);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 9);
 }

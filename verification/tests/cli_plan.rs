@@ -52,7 +52,9 @@ fn a_schema_has_the_fields_that_are_written() {
         serde_json::from_str::<Value>(&ended.stdout).unwrap()
     };
     let scene = fs::read_to_string(scenes().join("unequal.json")).unwrap();
-    let scene: Value = serde_json::from_str(&scene).unwrap();
+    let mut scene: Value = serde_json::from_str(&scene).unwrap();
+    // What a scene may have beside.
+    scene["$schema"] = "scene.schema.json".into();
     let event = crossfibre(&scenes(), &["trace", "unequal.json", "--step", "1", "--eq", "8"]);
     let event: Value = serde_json::from_str(event.stdout.lines().nth(1).unwrap()).unwrap();
     let trace_schema = json(&["schema", "trace"]);
@@ -73,7 +75,13 @@ fn a_schema_has_the_fields_that_are_written() {
 fn the_help_tells_the_exit_codes_and_bad_usage_has_code_1() {
     let help = crossfibre(&scenes(), &["--help"]);
     assert_eq!((help.code, help.stderr.as_str()), (0, ""));
-    for code in ["   0  all well", "   1  bad input", "   3  the run diverged", "  70  a fault"] {
+    for code in [
+        "   0  all well",
+        "   1  bad input",
+        "   3  the run diverged",
+        "  70  a fault",
+        " 130  interrupted",
+    ] {
         assert!(help.stdout.contains(code), "{}", help.stdout);
     }
     assert_eq!(crossfibre(&scenes(), &["--version"]).code, 0);

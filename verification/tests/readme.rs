@@ -32,9 +32,11 @@ fn the_commands_run() {
         if matches!(arguments[0].as_str(), "verify" | "conform") {
             continue; // tests/verify.rs runs the one; the other wants programs built beforehand
         }
-        let arguments = arguments
-            .iter()
-            .map(|a| a.replace("my-scene.json", "verification/scenes/unequal.json"));
+        let elsewhere = |name: &str| folder.path().join(name).display().to_string();
+        let arguments = arguments.iter().map(|argument| match argument.as_str() {
+            "my-scene.jsonc" | "result.json" => elsewhere(argument),
+            _ => argument.clone(),
+        });
         Command::cargo_bin("crossfibre")
             .unwrap()
             .args(arguments)

@@ -18,6 +18,7 @@ mod projectile;
 mod smith;
 mod stability;
 pub mod support;
+pub mod whereabouts;
 
 use serde::{Deserialize, Serialize};
 
@@ -133,6 +134,11 @@ pub fn all() -> Vec<Case> {
     .concat()
 }
 
+/// Every case, and what takes minutes.
+pub fn full() -> Vec<Case> {
+    [all(), vec![precision::WHOLE_RECORD]].concat()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -170,7 +176,7 @@ mod tests {
 
     #[test]
     fn case_ids_are_unique() {
-        let mut ids: Vec<_> = all().iter().map(|case| case.id).collect();
+        let mut ids: Vec<_> = full().iter().map(|case| case.id).collect();
         let count = ids.len();
         ids.sort_unstable();
         ids.dedup();

@@ -2,26 +2,34 @@
 //! is told in a line and ends it with code 1.
 
 mod conform;
+mod diagnostic;
 mod diff;
 mod ended;
 mod exact;
+mod new;
 mod plan;
 mod plan_accuracy;
+mod plot;
 mod run;
 mod scene;
 mod schema;
 mod select;
+mod shell;
 mod study;
 mod trace;
 mod vectors;
 mod verify;
+mod verify_shown;
 
 use std::process::ExitCode;
 
+use annotate_snippets::Renderer;
 use anyhow::Result;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::exit::{self, Exit};
+use self::diagnostic::BadScene;
+use crate::exit::{self, BAD, Exit};
+use crate::interrupt;
 use crate::output::is_broken_pipe;
 
 /// A literal, traceable reference of a 1980 model of stress waves in two crossed fibres.
@@ -34,8 +42,12 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a commented scene to start from.
+    New(new::Args),
     /// Run a scene and say what came of it.
     Run(run::Args),
+    /// Draw a result: strain, tension and shape of the fibres.
+    Plot(plot::Args),
     /// Print every number of every equation that a scene evaluates, or those you choose.
     Trace(trace::Args),
     /// Compare two traces: the first difference, where the fault lies, and all others counted.
@@ -54,10 +66,15 @@ enum Command {
     Vectors(vectors::Args),
     /// Print the JSON Schema of a file format.
     Schema(schema::Args),
+    /// Print the completions of the command line for a shell.
+    Completions(shell::Completions),
+    /// Print the manual page, or write those of all subcommands.
+    Man(shell::Pages),
 }
 
 /// The whole command, from arguments to exit code.
 pub fn main() -> ExitCode {
+    interrupt::prepare();
     exit::guarded(|| match Cli::try_parse() {
         Ok(cli) => told(run(cli.command)),
         Err(usage) => {
@@ -71,7 +88,9 @@ pub fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<Exit> {
     match command {
+        Command::New(args) => new::run(&args),
         Command::Run(args) => run::run(&args),
+        Command::Plot(args) => plot::run(&args),
         Command::Trace(args) => trace::run(args),
         Command::Diff(args) => diff::run(args),
         Command::Exact(args) => exact::run(&args),
@@ -81,6 +100,8 @@ fn run(command: Command) -> Result<Exit> {
         Command::Conform(args) => conform::run(args),
         Command::Vectors(args) => vectors::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => shell::completions(&args, Cli::command()),
+        Command::Man(args) => shell::man(&args, Cli::command()),
     }
 }
 
@@ -89,7 +110,10 @@ fn told(ended: Result<Exit>) -> Exit {
         Ok(exit) => exit,
         Err(error) if is_broken_pipe(&error) => Exit::Well,
         Err(error) => {
-            exit::say(&format!("error: {error:#}"));
+            exit::say(&match error.downcast_ref::<BadScene>() {
+                Some(bad) => bad.rendered(&Renderer::styled()),
+                None => format!("{BAD}error:{BAD:#} {error:#}"),
+            });
             Exit::BadInput
         }
     }

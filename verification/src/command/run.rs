@@ -13,6 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::{ended, scene};
 use crate::exit::Exit;
 use crate::output::Destination;
+use crate::result_formats::Format;
 use crate::summary::Summary;
 use crate::wide;
 
@@ -22,11 +23,15 @@ pub struct Args {
     /// The scene, `-` for standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Write the result as JSON (crossfibre-result/1) to FILE, `-` for standard output
+    /// Write the result to FILE, `-` for standard output: JSON (crossfibre-result/1), or what its
+    /// ending .csv or .npz says
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Write the result as JSON instead of the summary
+    /// Write the result in this format, whatever the ending of FILE, instead of the summary
     #[arg(long)]
+    format: Option<Format>,
+    /// Write the result as JSON instead of the summary
+    #[arg(long, conflicts_with = "format")]
     json: bool,
     /// Run even if it takes hours
     #[arg(long)]
@@ -38,6 +43,9 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Exit> {
     let destination = Destination::of(args.output.as_deref())?;
+    // Before minutes of work, not after.
+    let format = args.format();
+    format.iter().try_for_each(|format| format.check())?;
     let scene = scene::read(&args.scene)?;
     let plan = Plan::of(&scene);
     if !args.force {
@@ -45,17 +53,24 @@ pub fn run(args: &Args) -> Result<Exit> {
     }
     let result = march(&scene, &plan, args.quiet);
     let to_stdout = matches!(destination, Destination::Stdout);
-    if args.json || args.output.is_some() {
+    if let Some(format) = format {
         let mut out = destination.open()?;
-        serde_json::to_writer(&mut out, &result).map_err(io::Error::from)?;
-        writeln!(out)?;
+        format.write(&result, &mut out)?;
         out.finish()?;
     }
     let exit = ended::told(&scene, &result.outcome);
-    if !(args.quiet || args.json || args.output.is_some() && to_stdout) {
+    if !(args.quiet || args.json || format.is_some() && to_stdout) {
         write!(io::stdout().lock(), "{}", Summary { scene: &scene, result: &result })?;
     }
     Ok(exit)
+}
+
+impl Args {
+    /// The format to write the result in; none if it is not to be written.
+    fn format(&self) -> Option<Format> {
+        let of_file = || self.output.as_deref().map(Format::of);
+        if self.json { Some(Format::Json) } else { self.format.or_else(of_file) }
+    }
 }
 
 /// Element-steps from which a run shows how far it is: about a second of work.

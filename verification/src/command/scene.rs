@@ -4,17 +4,19 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, bail};
 use crossfibre::plan::{MANY_ELEMENT_STEPS, Plan};
 use crossfibre::scene::Scene;
-use crossfibre::scene_file::{Fault, read_bytes};
+use crossfibre::scene_file::read_bytes;
+
+use super::diagnostic::BadScene;
 
 /// The scene of a file, or of standard input for `-`.
 pub fn read(path: &Path) -> Result<Scene> {
     if path == Path::new("-") {
         let mut bytes = Vec::new();
         io::stdin().read_to_end(&mut bytes).context("<stdin>")?;
-        return read_bytes(&bytes).map_err(|fault| located("<stdin>", &fault));
+        return of_bytes("<stdin>", &bytes);
     }
     let name = path.display().to_string();
     match fs::metadata(path) {
@@ -25,15 +27,15 @@ pub fn read(path: &Path) -> Result<Scene> {
         _ => (),
     }
     let bytes = fs::read(path).with_context(|| name.clone())?;
-    read_bytes(&bytes).map_err(|fault| located(&name, &fault))
+    of_bytes(&name, &bytes)
 }
 
-/// `FILE:LINE:COLUMN: path: message`, and the help below.
-fn located(file: &str, fault: &Fault) -> anyhow::Error {
-    let Fault { path, line, column, message, help } = fault;
-    let path = if path.is_empty() { String::new() } else { format!("{path}: ") };
-    let help = help.as_ref().map_or(String::new(), |help| format!("\n  help: {help}"));
-    anyhow!("{file}:{line}:{column}: {path}{message}{help}")
+/// The scene in the bytes of a file of this name.
+fn of_bytes(file: &str, bytes: &[u8]) -> Result<Scene> {
+    read_bytes(bytes).map_err(|fault| {
+        let text = String::from_utf8_lossy(bytes).into_owned();
+        BadScene { file: file.into(), text, fault }.into()
+    })
 }
 
 /// An error if the plan is for more work than anyone asks for by accident.

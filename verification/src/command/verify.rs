@@ -6,88 +6,140 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
-use indicatif::ProgressBar;
+use serde_json::json;
 
+use super::verify_shown;
 use crate::cases::support::shipped;
-use crate::cases::{self, Verdict};
+use crate::cases::{self, Case};
 use crate::exit::{Exit, say};
 use crate::output::Destination;
-use crate::record::{CaseRecord, Record, run_cases};
+use crate::record::{CaseRecord, Record};
 use crate::report::{junit, markdown};
 use crate::wide;
 
 /// Arguments.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Only cases whose name contains this; no report is written.
+    /// Only cases whose name contains this (may be repeated); reports only if --out is given
+    #[arg(long, value_name = "PART")]
+    filter: Vec<String>,
+    /// Only what takes seconds; reports only if --out is given
     #[arg(long)]
-    filter: Option<String>,
-    /// Name the cases and stop.
+    quick: bool,
+    /// Everything, and what takes minutes: the whole stored record of the study work-precision
+    #[arg(long, conflicts_with = "quick")]
+    full: bool,
+    /// Name the cases and stop: name, quick or not, number of equations exercised, title
     #[arg(long)]
     list: bool,
-    /// Print the record as JSON instead of lines for people.
+    /// Print the record as JSON instead of lines for people
     #[arg(long)]
     json: bool,
-    /// Folder for report.json, junit.xml and VALIDATION.md.
-    #[arg(long, default_value = "target/verification", value_name = "DIR")]
-    out: PathBuf,
-    /// Fail if this file is not the VALIDATION.md that was written: a stale report.
-    #[arg(long, value_name = "FILE", conflicts_with = "filter")]
+    /// Folder for the reports [default: target/verification]; of a part of the cases, report.json and
+    /// junit.xml only
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Fail if this file is not the VALIDATION.md that was written: a stale report
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["filter", "quick", "full"])]
     compare: Option<PathBuf>,
 }
 
 /// Runs it.
 pub fn run(args: &Args) -> Result<Exit> {
-    let chosen: Vec<_> = cases::all()
-        .into_iter()
-        .filter(|case| args.filter.as_ref().is_none_or(|part| case.id.contains(part.as_str())))
-        .collect();
-    if chosen.is_empty() {
-        let part = args.filter.as_deref().unwrap_or_default();
-        bail!("no case has `{part}` in its name; `crossfibre verify --list` names them");
-    }
+    let chosen = chosen(args)?;
     if args.list {
-        let mut out = io::stdout().lock();
-        for case in &chosen {
-            writeln!(out, "{:26} {}", case.id, case.title)?;
-        }
+        list(&chosen, args.json)?;
         return Ok(Exit::Well);
     }
-    // Drawn on standard error, and only if that is a terminal.
-    let bar = ProgressBar::new(chosen.len() as u64);
-    let records = run_cases(&chosen, |_| bar.inc(1));
-    bar.finish_and_clear();
+    let records = verify_shown::run(&chosen, !args.json)?;
+    let well = records.iter().flat_map(CaseRecord::troubles).next().is_none();
+    let stale = if args.is_part() { part(args, records)? } else { whole(args, records)? };
+    Ok(if well && !stale { Exit::Well } else { Exit::CheckFailed })
+}
 
-    let troubles = records.iter().flat_map(CaseRecord::troubles).count();
-    if !args.json {
-        print(&records)?;
+impl Args {
+    /// Whether cases are left out.
+    fn is_part(&self) -> bool {
+        self.quick || !self.filter.is_empty()
     }
-    if args.filter.is_some() {
-        if args.json {
-            writeln!(io::stdout().lock(), "{}", serde_json::to_string_pretty(&records)?)?;
+}
+
+/// The cases to run.
+fn chosen(args: &Args) -> Result<Vec<Case>> {
+    let mut cases = if args.full { cases::full() } else { cases::all() };
+    for part in &args.filter {
+        if !cases.iter().any(|case| case.id.contains(part)) {
+            bail!("no case has `{part}` in its name; `crossfibre verify --list` names them");
         }
-        return Ok(if troubles == 0 { Exit::Well } else { Exit::CheckFailed });
     }
+    let named = |case: &Case| {
+        args.filter.is_empty() || args.filter.iter().any(|part| case.id.contains(part))
+    };
+    cases.retain(|case| named(case) && (case.is_quick() || !args.quick));
+    if cases.is_empty() {
+        bail!("none of these cases is quick; leave out --quick");
+    }
+    Ok(cases)
+}
+
+fn list(cases: &[Case], as_json: bool) -> Result<()> {
+    let mut out = io::stdout().lock();
+    if as_json {
+        let listed = |case: &Case| json!({ "id": case.id, "quick": case.is_quick(), "equations": case.equations, "title": case.title });
+        let listed: Vec<_> = cases.iter().map(listed).collect();
+        writeln!(out, "{}", serde_json::to_string_pretty(&listed)?)?;
+        return Ok(());
+    }
+    for case in cases {
+        let quick = if case.is_quick() { "quick" } else { "" };
+        writeln!(out, "{:26} {quick:5} {:3}  {}", case.id, case.equations.len(), case.title)?;
+    }
+    Ok(())
+}
+
+/// The end of a part of the cases.
+fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
+    if args.json {
+        writeln!(io::stdout().lock(), "{}", serde_json::to_string_pretty(&records)?)?;
+    } else {
+        tell(&records)?;
+    }
+    if let Some(folder) = &args.out {
+        let record = Record::around(records);
+        fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+        write(&folder.join("report.json"), &(serde_json::to_string_pretty(&record)? + "\n"))?;
+        write(&folder.join("junit.xml"), &junit::render(&record)?)?;
+    }
+    Ok(false)
+}
+
+/// The end of all cases: the reports; whether the one to compare with is stale.
+fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
+    let out = args.out.as_deref().unwrap_or(Path::new("target/verification"));
     let record = Record::around(records);
-    let validation = write_reports(&record, &args.out)?;
+    let validation = write_reports(&record, out)?;
     if args.json {
         writeln!(io::stdout().lock(), "{}", serde_json::to_string_pretty(&record)?)?;
     } else {
-        let (all, passed) = record.tally();
-        let mut out = io::stdout().lock();
-        writeln!(out, "\n{passed} passed, {} failed", all - passed)?;
+        tell(&record.cases)?;
+        let mut to = io::stdout().lock();
         writeln!(
-            out,
+            to,
             "the paper's timing example: 10.1 s of an IBM 370/168 then, {:.0} µs of this machine now",
             timing_example().as_secs_f64() * 1e6
         )?;
-        writeln!(out, "reports: {}", args.out.display())?;
+        writeln!(to, "reports: {}", out.display())?;
     }
-    let stale = match &args.compare {
-        Some(file) => is_stale(file, &validation, &args.out)?,
-        None => false,
-    };
-    Ok(if troubles == 0 && !stale { Exit::Well } else { Exit::CheckFailed })
+    args.compare.as_ref().map_or(Ok(false), |file| is_stale(file, &validation, out))
+}
+
+/// What failed, and how many.
+fn tell(records: &[CaseRecord]) -> io::Result<()> {
+    let mut to = anstream::stdout().lock();
+    verify_shown::failures(records, &mut to)?;
+    let checks: usize = records.iter().map(|case| case.checks.len()).sum();
+    let failed = records.iter().flat_map(CaseRecord::troubles).count();
+    writeln!(to, "\n{} passed, {failed} failed, in {} cases", checks - failed, records.len())
 }
 
 /// How long the paper's timing example takes: the shortest of some runs. In no report, because it is
@@ -102,36 +154,6 @@ fn timing_example() -> Duration {
     (0..20).map(|_| run()).min().unwrap_or_default()
 }
 
-/// One line a case; each check that did not pass with what to look at.
-fn print(records: &[CaseRecord]) -> io::Result<()> {
-    let mut out = io::stdout().lock();
-    for case in records {
-        let troubles = case.troubles().count();
-        let mark = if troubles == 0 { "ok    " } else { "FAILED" };
-        let passed = case.checks.len() - troubles;
-        writeln!(out, "{mark} {:26} {passed:2}/{:<2}  {}", case.id, case.checks.len(), case.title)?;
-        for trouble in case.troubles() {
-            let check = &trouble.check;
-            let what = match trouble.verdict {
-                Verdict::Loose => "the bound is too loose for what is measured",
-                _ => "out of bounds",
-            };
-            writeln!(out, "         {}: {what}", check.claim)?;
-            writeln!(
-                out,
-                "           measured {:e}, bound {}",
-                check.measured,
-                markdown::bound(check.bound)
-            )?;
-            writeln!(out, "           norm:   {}", check.norm)?;
-            writeln!(out, "           oracle: {}", check.oracle)?;
-            writeln!(out, "           reason of the bound: {}", check.reason)?;
-            writeln!(out, "           again:  crossfibre verify --filter {}", case.id)?;
-        }
-    }
-    Ok(())
-}
-
 /// Writes the three reports; gives the text of VALIDATION.md.
 fn write_reports(record: &Record, folder: &Path) -> Result<String> {
     fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
@@ -142,11 +164,15 @@ fn write_reports(record: &Record, folder: &Path) -> Result<String> {
         ("junit.xml", &junit::render(record)?),
         ("VALIDATION.md", &validation),
     ] {
-        let mut out = Destination::of(Some(&folder.join(name)))?.open()?;
-        out.write_all(text.as_bytes())?;
-        out.finish()?;
+        write(&folder.join(name), text)?;
     }
     Ok(validation)
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    let mut out = Destination::of(Some(path))?.open()?;
+    out.write_all(text.as_bytes())?;
+    out.finish()
 }
 
 /// Whether a file differs from the report just written; says where.

@@ -57,6 +57,11 @@ impl Axis {
         Self::new(label, 0.0, to, wider.unwrap_or(step))
     }
 
+    /// A linear axis from one number to a greater one, with ticks as of [`Axis::from_zero`].
+    pub fn around(label: impl Into<String>, from: f64, to: f64) -> Self {
+        Self { from, to, ..Self::from_zero(label, to - from) }
+    }
+
     /// What is drawn in proportion: the value, or its decimal logarithm. No number for a value
     /// without a place, infinity for infinity.
     fn drawn(&self, value: f64) -> f64 {

@@ -213,7 +213,13 @@ mod tests {
     #[test]
     fn a_window_is_the_middle_half() {
         let strain: Vec<_> = (0..20).map(|i| if i % 2 == 0 { 0.013 } else { 0.017 }).collect();
-        let fibre = FibreResult { position: vec![], velocity: vec![], tension: vec![], strain };
+        let fibre = FibreResult {
+            spacing: 1.7,
+            position: vec![],
+            velocity: vec![],
+            tension: vec![],
+            strain,
+        };
         let plateau = |to| Plateau { what: "", fibre: Fibre::Primary, from: 0.3, to, strain: 0.0 };
         // 0.3 to 1.9 m: the middle half is 0.7 to 1.5 m, elements 7..15 of 0.1 m.
         let window = Window::of(&plateau(1.9), &fibre, 0.1).unwrap();

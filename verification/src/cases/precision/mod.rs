@@ -43,4 +43,12 @@ pub const CASES: &[Case] = &[
     },
 ];
 
+/// What `verify --full` runs beside all others: it takes minutes.
+pub const WHOLE_RECORD: Case = Case {
+    id: "precision.whole-record",
+    title: "The whole of the stored record of error against work is what the code gives",
+    equations: EVERY,
+    run: record::whole,
+};
+
 const EVERY: &[u8] = &[2, 4, 5, 6, 7, 9, 10, 11, 12, 13, 15, 16, 17, 18, 20];

@@ -1,0 +1,58 @@
+//! `crossfibre completions` and `crossfibre man`: the command line told to a shell and to `man`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap_complete::Shell;
+use clap_mangen::Man;
+
+use crate::exit::Exit;
+use crate::output::{Destination, Output};
+
+/// Arguments of `completions`.
+#[derive(clap::Args)]
+pub struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+/// Arguments of `man`.
+#[derive(clap::Args)]
+pub struct Pages {
+    /// Folder for a page of each subcommand as well, crossfibre-run.1 and so on, in place of standard
+    /// output
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+pub fn completions(args: &Completions, mut cli: clap::Command) -> Result<Exit> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut cli, "crossfibre", &mut script);
+    let mut out = Destination::Stdout.open()?;
+    out.write_all(&script)?;
+    out.finish()?;
+    Ok(Exit::Well)
+}
+
+pub fn man(args: &Pages, mut cli: clap::Command) -> Result<Exit> {
+    let Some(folder) = &args.out else {
+        page(cli, Destination::Stdout.open()?)?;
+        return Ok(Exit::Well);
+    };
+    std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    // Gives the subcommands their full names.
+    cli.build();
+    let mut waiting = vec![cli];
+    while let Some(command) = waiting.pop() {
+        waiting.extend(command.get_subcommands().filter(|sub| sub.get_name() != "help").cloned());
+        let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
+        page(command, Destination::of(Some(&folder.join(format!("{name}.1"))))?.open()?)?;
+    }
+    Ok(Exit::Well)
+}
+
+fn page(command: clap::Command, mut out: Output) -> Result<()> {
+    Man::new(command).render(&mut out)?;
+    out.finish()
+}

@@ -1,0 +1,184 @@
+//! What `crossfibre verify` shows while it runs: a line a case in the order of the list, and below them
+//! on a terminal how far it is.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::cases::{Case, Verdict, all, whereabouts};
+use crate::exit::{BAD, GOOD};
+use crate::record::{CaseRecord, CheckRecord, run_watched};
+use crate::report::markdown;
+
+/// Runs cases, and prints each as soon as it and all before it are done.
+pub fn run(cases: &[Case], print_lines: bool) -> io::Result<Vec<CaseRecord>> {
+    // Drawn on standard error, and only if that is a terminal.
+    let bar = ProgressBar::new(cases.len() as u64).with_style(style());
+    let running = Mutex::new(Vec::new());
+    let show = |change: &dyn Fn(&mut Vec<&'static str>)| {
+        let mut running = held(&running);
+        change(&mut running);
+        bar.set_message(running.join(", "));
+    };
+    let lines = Mutex::new(InOrder::default());
+    let records = run_watched(
+        cases,
+        |case| show(&|running| running.push(case.id)),
+        |place, record| {
+            if print_lines {
+                let mut lines = held(&lines);
+                bar.suspend(|| lines.done(place, line(record), &mut anstream::stdout()));
+            }
+            show(&|running| running.retain(|id| *id != record.id));
+            bar.inc(1);
+        },
+    );
+    bar.finish_and_clear();
+    lines.into_inner().unwrap_or_else(PoisonError::into_inner).written?;
+    Ok(records)
+}
+
+fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn style() -> ProgressStyle {
+    ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} {wide_msg}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+/// Lines that come in any order and are written in theirs.
+struct InOrder {
+    next: usize,
+    waiting: BTreeMap<usize, String>,
+    /// The first failure to write, after which nothing more is written.
+    written: io::Result<()>,
+}
+
+impl Default for InOrder {
+    fn default() -> Self {
+        Self { next: 0, waiting: BTreeMap::new(), written: Ok(()) }
+    }
+}
+
+impl InOrder {
+    fn done(&mut self, place: usize, line: String, to: &mut impl Write) {
+        self.waiting.insert(place, line);
+        while let Some(line) = self.waiting.remove(&self.next) {
+            self.next += 1;
+            if self.written.is_ok() {
+                self.written = write!(to, "{line}").and_then(|()| to.flush());
+            }
+        }
+    }
+}
+
+/// A case in a line, and each check that did not pass in another.
+fn line(case: &CaseRecord) -> String {
+    let troubles: Vec<_> = case.troubles().collect();
+    let (style, mark) = if troubles.is_empty() { (GOOD, "ok    ") } else { (BAD, "FAILED") };
+    let passed = case.checks.len() - troubles.len();
+    let mut text = format!(
+        "{style}{mark}{style:#} {:26} {passed:2}/{:<2}  {}\n",
+        case.id,
+        case.checks.len(),
+        case.title
+    );
+    for trouble in troubles {
+        text += &format!("         {}: {}\n", trouble.check.claim, what(trouble));
+    }
+    text
+}
+
+fn what(trouble: &CheckRecord) -> &'static str {
+    match trouble.verdict {
+        Verdict::Loose => "the bound is too loose for what is measured",
+        _ => "out of bounds",
+    }
+}
+
+/// Every check that did not pass, with its numbers and what to do next; nothing if all did.
+pub fn failures(records: &[CaseRecord], to: &mut impl Write) -> io::Result<()> {
+    for case in records.iter().filter(|case| case.troubles().next().is_some()) {
+        writeln!(to, "\n{BAD}FAILED{BAD:#} {}: {}", case.id, case.title)?;
+        for trouble in case.troubles() {
+            let check = &trouble.check;
+            writeln!(to, "  {}: {}", check.claim, what(trouble))?;
+            let bound = markdown::bound(check.bound);
+            writeln!(to, "    measured {:e}, bound {bound}", check.measured)?;
+            writeln!(to, "    norm:   {}", check.norm)?;
+            writeln!(to, "    oracle: {}", check.oracle)?;
+            writeln!(to, "    reason of the bound: {}", check.reason)?;
+        }
+        if let Some(files) = whereabouts::of(&case.id) {
+            writeln!(to, "  derived in: {}", files.derivation)?;
+            writeln!(to, "  source:     {}", files.source)?;
+        }
+        let full = if all().iter().any(|ordinary| ordinary.id == case.id) { "" } else { "--full " };
+        writeln!(to, "  again:      crossfibre verify {full}--filter {}", case.id)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::{Bound, Check};
+
+    fn case(id: &str, verdict: Verdict) -> CaseRecord {
+        let text = |what: &str| format!("{what} of {id}");
+        let check = Check {
+            claim: text("claim"),
+            oracle: text("oracle"),
+            norm: text("norm"),
+            measured: 0.0137,
+            bound: Bound::AtMost(0.0121),
+            reason: text("reason"),
+        };
+        let checks = vec![CheckRecord { check, verdict }];
+        CaseRecord { id: id.into(), title: text("title"), equations: vec![], checks, seconds: 1.7 }
+    }
+
+    #[test]
+    fn lines_wait_for_those_before_them() {
+        let (mut lines, mut seen) = (InOrder::default(), Vec::new());
+        for (place, upto) in [(2, ""), (0, "0"), (3, "0"), (1, "0123"), (4, "01234")] {
+            lines.done(place, place.to_string(), &mut seen);
+            assert_eq!(seen, upto.as_bytes());
+        }
+    }
+
+    #[test]
+    fn a_failure_is_told_with_where_to_look_and_how_to_run_it_again() {
+        let records =
+            [case("smith.kink", Verdict::Failed), case("golden.vectors", Verdict::Passed)];
+        let mut text = Vec::new();
+        failures(&records, &mut anstream::StripStream::new(&mut text)).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        for part in [
+            "FAILED smith.kink: title of smith.kink",
+            "claim of smith.kink: out of bounds",
+            "measured 1.37e-2, bound at most 0.0121",
+            "derived in: docs/exact/smith.md",
+            "source:     verification/src/cases/smith.rs",
+            "again:      crossfibre verify --filter smith.kink",
+        ] {
+            assert!(text.contains(part), "{part} is not in:\n{text}");
+        }
+        assert!(!text.contains("golden.vectors"), "{text}");
+    }
+
+    #[test]
+    fn a_case_is_a_line_with_a_mark() {
+        let strip = |line: String| anstream::adapter::strip_str(&line).to_string();
+        assert_eq!(
+            strip(line(&case("smith.kink", Verdict::Passed))),
+            "ok     smith.kink                  1/1   title of smith.kink\n"
+        );
+        let loose = strip(line(&case("smith.kink", Verdict::Loose)));
+        assert!(loose.starts_with("FAILED smith.kink                  0/1 "), "{loose}");
+        assert!(loose.contains("claim of smith.kink: the bound is too loose"), "{loose}");
+    }
+}
