@@ -112,8 +112,12 @@ fn parse(text: &str) -> Result<Value, Fault> {
 }
 
 fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
-    let (line, column) = position(text, error);
-    let fault = Fault { path, line, column, message: bare(error), help: None };
+    let message = bare(error);
+    let Some((line, column)) = position(text, error) else {
+        // Under a name of its own serde_json reads what stands in quotes, and counts the lines in there.
+        return Fault::at_path(text, Problem { path, message, help: None });
+    };
+    let fault = Fault { path, line, column, message, help: None };
     if error.is_eof() {
         return Fault { message: format!("the text ends too early: {}", fault.message), ..fault };
     }
@@ -134,11 +138,11 @@ fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
     fault
 }
 
-/// Line and column (in characters) of an error whose column counts bytes.
-fn position(text: &str, error: &serde_json::Error) -> (usize, usize) {
-    let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or("");
+/// Line and column (in characters) of an error whose column counts bytes; none if it is not in the text.
+fn position(text: &str, error: &serde_json::Error) -> Option<(usize, usize)> {
+    let line = text.split('\n').nth(error.line().saturating_sub(1))?;
     let before = line.char_indices().take_while(|(byte, _)| byte + 1 < error.column()).count();
-    (error.line().max(1), before + 1)
+    Some((error.line().max(1), before + 1))
 }
 
 /// The word of letters and signs that holds or follows the character at a line and column.
