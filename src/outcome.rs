@@ -143,3 +143,59 @@ impl fmt::Display for Outcome {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_outcome_says_where_and_what_happened() {
+        let place = Place { step: 71, fibre: Fibre::Secondary, index: 13 };
+        let unbalanced = |residual| Outcome::EnergyUnbalanced { step: 71, residual };
+        for (outcome, words) in [
+            (Outcome::Completed, "completed"),
+            (
+                Outcome::Diverged { place, equation: 7 },
+                "diverged: eqn (7) is not finite at step 71, secondary element 13",
+            ),
+            (
+                Outcome::Diverged { place, equation: 2 },
+                "diverged: eqn (2) is not finite at step 71, secondary node 13",
+            ),
+            (
+                Outcome::CrossoverLeft { step: 71, end: End::ImpactPoint },
+                "crossover left the primary fibre: at step 71 it slid to the impact point",
+            ),
+            (
+                Outcome::CrossoverLeft { step: 71, end: End::Clamp },
+                "crossover left the primary fibre: at step 71 it slid to the clamp",
+            ),
+            (
+                Outcome::CourantExceeded { place, courant: 1.07318, would_serve: Some(0.8764) },
+                "Courant limit exceeded: the wave speed outgrew the time step at step 71, secondary \
+                 element 13, where the Courant number is 1.0732; 0.876 would have served",
+            ),
+            (
+                Outcome::CourantExceeded { place, courant: 1.07318, would_serve: None },
+                "Courant limit exceeded: the wave speed outgrew the time step at step 71, secondary \
+                 element 13, where the Courant number is 1.0732",
+            ),
+            (
+                Outcome::NoWaves { place, strain: -0.03137 },
+                "no waves: at step 71, secondary element 13, strain -0.0314, the law has softened to a \
+                 negative modulus",
+            ),
+            (
+                unbalanced(Some(0.3719)),
+                "energy unbalanced: at step 71 the balance is off by 0.37 times the energy put in",
+            ),
+            (
+                unbalanced(Some(371.9)),
+                "energy unbalanced: at step 71 the balance is off by 3.7e2 times the energy put in",
+            ),
+            (unbalanced(None), "energy unbalanced: at step 71 the energy is beyond all numbers"),
+        ] {
+            assert_eq!(outcome.to_string(), words);
+        }
+    }
+}

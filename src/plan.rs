@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::discretisation::{Discretisation, Properties};
 use crate::place::Fibre;
+use crate::result::FibreResult;
 use crate::scene::{Material, Scene, Strain};
 use crate::state::FibreState;
 
@@ -99,11 +100,11 @@ impl Plan {
         };
         let mut fibres = vec![fibre(Fibre::Primary, 2, &mesh.primary, &scene.primary.material)];
         let mut element_steps = flagged_element_steps(steps, mesh.primary.elements, 0);
-        let mut memory = memory_of::<2>(&mesh.primary, &scene.primary.material);
+        let mut memory = memory_of::<2>(mesh.primary.elements, &scene.primary.material);
         if let Some((crossing, secondary)) = mesh.secondary.as_ref().zip(scene.secondary.as_ref()) {
             fibres.push(fibre(Fibre::Secondary, 3, &crossing.fibre, &secondary.material));
             element_steps += flagged_element_steps(steps, crossing.fibre.elements, crossing.node);
-            memory += memory_of::<3>(&crossing.fibre, &secondary.material);
+            memory += memory_of::<3>(crossing.fibre.elements, &secondary.material);
         }
         Self {
             format: FORMAT,
@@ -122,10 +123,15 @@ impl Plan {
 }
 
 /// Memory of a fibre's state, bytes.
-fn memory_of<const D: usize>(fibre: &Properties<f64>, material: &Material) -> f64 {
+fn memory_of<const D: usize>(elements: usize, material: &Material) -> f64 {
     let numbers = material.numbers_remembered();
     let of_law = (numbers * size_of::<f64>()) as f64;
-    fibre.elements as f64 * (FibreState::<f64, D>::BYTES_PER_ELEMENT + of_law)
+    elements as f64 * (FibreState::<f64, D>::BYTES_PER_ELEMENT + of_law)
+}
+
+/// Memory of a fibre's state and of its result, bytes.
+pub(crate) fn memory_of_run<const D: usize>(elements: usize, material: &Material) -> f64 {
+    memory_of::<D>(elements, material) + elements as f64 * FibreResult::bytes_per_element(D)
 }
 
 /// Σ over the steps of the elements visited when the front starts at element 0 after `quiet` steps

@@ -277,6 +277,13 @@ impl RunResult {
 }
 
 impl FibreResult {
+    /// Memory of the vectors above, bytes an element: position and velocity, a vector a node each with
+    /// so many components; strain and tension.
+    pub(crate) fn bytes_per_element(components: usize) -> f64 {
+        let number = size_of::<f64>();
+        (2 * (size_of::<Vec<f64>>() + components * number) + 2 * number) as f64
+    }
+
     fn of<S: Number, const D: usize>(fibre: &FibreState<S, D>) -> Self {
         let numbers = |v: &[S]| v.iter().map(|x| x.to_f64()).collect::<Vec<_>>();
         Self {

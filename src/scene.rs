@@ -73,7 +73,7 @@ pub struct Primary {
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 0.3))]
     pub length: f64,
     /// Number of elements, at least 2.
-    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = crate::scene_check::MAX_ELEMENTS), example = 150))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 2), example = 150))]
     pub elements: usize,
     /// Density, kg/m³.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1206.7))]
@@ -97,7 +97,7 @@ pub struct Secondary {
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 0.3))]
     pub length: f64,
     /// Number of elements, at least 2.
-    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = crate::scene_check::MAX_ELEMENTS), example = 150))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 2), example = 150))]
     pub elements: usize,
     /// Density, kg/m³.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0), example = 1206.7))]

@@ -6,10 +6,12 @@ use std::ops::RangeInclusive;
 use crate::discretisation::{Crossing, Discretisation, Properties};
 use crate::errata::Erratum;
 use crate::material::{Mesh, ParameterFault, of_scene};
+use crate::plan::memory_of_run;
 use crate::scene::{FORMAT, Law, Material, Primary, Scene, Secondary};
 
-/// Elements that a fibre may have. A run keeps about 150 bytes for each: 15 GB at this limit.
-pub const MAX_ELEMENTS: usize = 100_000_000;
+/// Memory that a run may take, bytes: state and result of some 48 million elements. The limit is the
+/// same everywhere, so that a scene is; beyond it ordinary machines end a program without a word.
+pub const MAX_MEMORY: f64 = 8e9;
 
 /// Steps that a run may have, 2⁵³: a double counts no further, and the time is steps × Δt.
 pub const MAX_STEPS: u64 = 1 << 53;
@@ -64,6 +66,7 @@ impl Scene {
             check_fibre("secondary", length, elements, density, area, material)?;
             check_slide_factor(secondary.slide_factor)?;
         }
+        self.check_memory()?;
         self.check_projectile()?;
         positive("courant", self.courant)?;
         positive("duration", self.duration)?;
@@ -83,6 +86,22 @@ impl Scene {
             in_range("secondary", "A = Δt/Δm", crossing.fibre.a)?;
         }
         self.check_steps(&mesh)
+    }
+
+    fn check_memory(&self) -> Result<(), Problem> {
+        let primary = memory_of_run::<2>(self.primary.elements, &self.primary.material);
+        let secondary = self
+            .secondary
+            .as_ref()
+            .map_or(0.0, |fibre| memory_of_run::<3>(fibre.elements, &fibre.material));
+        let memory = primary + secondary;
+        if memory <= MAX_MEMORY {
+            return Ok(());
+        }
+        let path = if primary >= secondary { "primary.elements" } else { "secondary.elements" };
+        let [needed, most] = [memory, MAX_MEMORY].map(|bytes| bytes / 1e9);
+        let message = format!("a run would take {needed:.1} GB of memory, more than {most} GB");
+        Err(Problem::new(path, message).help("coarsen the mesh, or shorten the fibre with it"))
     }
 
     fn check_crossover(
@@ -186,13 +205,6 @@ fn check_fibre(
     positive(&field("length"), length)?;
     if elements < 2 {
         return Err(Problem::new(field("elements"), format!("must be at least 2, is {elements}")));
-    }
-    if elements > MAX_ELEMENTS {
-        return Err(Problem::new(
-            field("elements"),
-            format!("must be at most {MAX_ELEMENTS}, is {elements}"),
-        )
-        .help("a run keeps about 150 bytes for each element"));
     }
     positive(&field("density"), density)?;
     positive(&field("area"), area)?;

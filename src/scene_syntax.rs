@@ -31,7 +31,10 @@ pub(crate) fn parse(text: &str) -> Result<Value, Fault> {
 
 fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
     let found = bare(error);
-    let at = offset(text, error);
+    let Some(at) = offset(text, error) else {
+        // Under a name of its own serde_json reads what stands in quotes, and counts the lines in there.
+        return Fault::at_path(text, Problem { path, message: found, help: None });
+    };
     let fault = |path: String, piece, message: &str, help: Option<&str>| {
         let (message, help) = (message.into(), help.map(Into::into));
         Fault::new(text, piece, Problem { path, message, help })
@@ -112,18 +115,18 @@ fn advice(before: &str, from: &str, message: &str) -> Option<&'static str> {
     })
 }
 
-/// Where in the text an error is: serde_json tells the line, and the column in bytes.
-fn offset(text: &str, error: &serde_json::Error) -> usize {
+/// Where in the text an error is: serde_json tells the line, and the column in bytes. None if there
+/// is no such line.
+fn offset(text: &str, error: &serde_json::Error) -> Option<usize> {
     let mut lines = text.split('\n');
     let before: usize =
         lines.by_ref().take(error.line().saturating_sub(1)).map(|line| line.len() + 1).sum();
-    let line = lines.next().unwrap_or("");
+    let line = lines.next()?;
     let in_line =
         line.char_indices().map(|(byte, _)| byte).take_while(|byte| byte + 1 < error.column());
-    before
-        + in_line
-            .last()
-            .map_or(0, |byte| byte + line[byte..].chars().next().map_or(0, char::len_utf8))
+    let passed = in_line.last();
+    let length = |byte: usize| line[byte..].chars().next().map_or(0, char::len_utf8);
+    Some(before + passed.map_or(0, |byte| byte + length(byte)))
 }
 
 /// The character at a place; nothing at the end of the text.

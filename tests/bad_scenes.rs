@@ -45,6 +45,7 @@ const NOT_JSON: &[Case] = &[
     ("0.287", "NaN", "primary.length", (4, 26), "NaN is not a number"),
     ("0.937", "-Infinity", "courant", (15, 14), "-Infinity is not a number"),
     ("0.937", "nan", "courant", (15, 14), "nan is not a number"),
+    (GOOD, "{\"$serde_json::private::RawValue\": \"\\n\\n1 2\"}", "", (1, 1), "trailing characters"),
 ];
 
 const LINEAR: &str = "{ \"law\": \"linear\", \"modulus\": 71.3e9 }";
@@ -116,7 +117,7 @@ const NOT_A_SCENE: &[Case] = &[
 const NOT_TO_BE_RUN: &[Case] = &[
     ("0.287", "0", "primary.length", (4, 26), "greater than 0, is 0.0"),
     ("139", "1", "primary.elements", (4, 45), "at least 2, is 1"),
-    ("97", "100000001", "secondary.elements", (7, 61), "at most 100000000, is 100000001"),
+    ("97", "100000001", "secondary.elements", (7, 61), "would take 20.8 GB of memory, more than 8 GB"),
     ("973.0", "-973.0", "secondary.density", (8, 16), "greater than 0, is -973.0"),
     ("0.87e-6", "-0.0", "primary.area", (5, 32), "greater than 0, is -0.0"),
     ("43.1e9", "-43.1e9", "secondary.material.modulus", (11, 18), "is -43100000000.0"),
@@ -345,6 +346,46 @@ prop_compose! {
             corrections: corrections.into_iter().collect(),
         }
     }
+}
+
+/// What only a program can get wrong: a file has neither NaN nor numbers beyond a double.
+#[test]
+fn a_problem_of_a_scene_that_was_never_text_is_told_as_well() {
+    let good = || read(GOOD).unwrap();
+    let told = |change: fn(&mut Scene)| {
+        let mut scene = good();
+        change(&mut scene);
+        scene.check().unwrap_err().to_string()
+    };
+    assert_eq!(
+        told(|scene| scene.primary.material.law =
+            Law::Polynomial { coefficients: vec![3e9, f64::NAN] }),
+        "primary.material.coefficients[1]: must be a finite number, is NaN"
+    );
+    assert_eq!(
+        told(|scene| scene.primary.elements = 50_000_000),
+        "primary.elements: a run would take 8.4 GB of memory, more than 8 GB\n  help: coarsen the mesh, \
+         or shorten the fibre with it"
+    );
+    // Each fibre would do for itself.
+    let both = |scene: &mut Scene| {
+        scene.primary.elements = 20_000_000;
+        scene.secondary.as_mut().unwrap().elements = 27_000_000;
+    };
+    assert!(
+        told(both).starts_with("secondary.elements: a run would take 9.0 GB"),
+        "{}",
+        told(both)
+    );
+}
+
+#[test]
+fn what_is_left_out_of_a_scene_has_the_value_that_the_page_says() {
+    let corrections = ",\n  \"corrections\": [\"time-level\", \"crossover-inertia\"]";
+    assert!(GOOD.contains(corrections));
+    let scene = read(&GOOD.replace(corrections, "").replace("  \"title\": \"µ\",\n", "")).unwrap();
+    assert_eq!(scene.corrections, Corrections::ALL);
+    assert_eq!((scene.title.as_str(), scene.strain), ("", Strain::Incremental));
 }
 
 proptest! {

@@ -37,7 +37,7 @@ pub(super) fn first_where(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f
 }
 
 /// The x in (0, `high`] at which `f` turns from negative to positive, to two ulps, upper end;
-/// `None` if `f` is negative up to `high`.
+/// `None` if `f` is negative up to `high`, or no number where it is asked for.
 ///
 /// From `guess` the bracket is opened by growing factors; within it the method of Chandrupatla
 /// (1997) takes inverse quadratic interpolation where three points allow it and bisection where
@@ -70,11 +70,15 @@ pub(super) fn crossing(guess: f64, high: f64, f: impl Fn(f64) -> f64) -> Option<
             factor *= factor;
         }
     }
-    Some(narrowed((below, f_below), (above, f_above), f))
+    if f_below < 0.0 && f_above >= 0.0 {
+        narrowed((below, f_below), (above, f_above), f)
+    } else {
+        None
+    }
 }
 
 /// Chandrupatla's method on a bracket.
-fn narrowed((a, fa): (f64, f64), (b, fb): (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
+fn narrowed((a, fa): (f64, f64), (b, fb): (f64, f64), f: impl Fn(f64) -> f64) -> Option<f64> {
     // (x1, f1) is the latest point, (x2, f2) the other end of the bracket, (x3, f3) the one left.
     let (mut x1, mut f1, mut x2, mut f2) = (b, fb, a, fa);
     let mut share: f64 = 0.5;
@@ -82,10 +86,13 @@ fn narrowed((a, fa): (f64, f64), (b, fb): (f64, f64), f: impl Fn(f64) -> f64) ->
         let upper = if f1 >= 0.0 { x1 } else { x2 };
         let tolerance = f64::EPSILON * upper / (x2 - x1).abs();
         if tolerance >= 0.5 || f1 == 0.0 {
-            return upper;
+            return Some(upper);
         }
         let x = x1 + share.clamp(tolerance, 1.0 - tolerance) * (x2 - x1);
         let fx = f(x);
+        if fx.is_nan() {
+            return None;
+        }
         let (x3, f3);
         if (fx >= 0.0) == (f1 >= 0.0) {
             (x3, f3) = (x1, f1);
@@ -148,5 +155,16 @@ mod tests {
         // At the end of the interval exactly: 1.37² is reached by 1.37 or its lower neighbour.
         let found = first_reaching(1.37 * 1.37, 1.37, |x| x * x).unwrap();
         assert!(1.37_f64.to_bits() - found.to_bits() <= 1);
+    }
+
+    #[test]
+    fn what_is_no_number_on_the_way_has_no_crossing() {
+        assert_eq!(crossing(0.31, 1e60, |_| f64::NAN), None);
+        assert_eq!(crossing(f64::NAN, 1e60, |x| x - 0.7), None);
+        let hole = |x: f64| if (0.6..0.9).contains(&x) { f64::NAN } else { x - 0.7 };
+        assert_eq!(crossing(0.31, 1e60, hole), None);
+        // Infinity is a number to a sign.
+        let found = crossing(0.31, 1e60, |x| if x < 0.7 { -f64::INFINITY } else { f64::INFINITY });
+        assert!(found.is_some_and(|x| (x - 0.7).abs() <= 2.0 * f64::EPSILON), "{found:?}");
     }
 }

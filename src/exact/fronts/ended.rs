@@ -83,3 +83,34 @@ impl fmt::Display for Ended {
 }
 
 impl std::error::Error for Ended {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_end_says_where_and_when() {
+        let (fibre, at, time) = (Fibre::Primary, 0.0731, 31.37e-6);
+        for (ended, words) in [
+            (
+                Ended::Slack { fibre, at, time },
+                "the primary fibre goes slack at 0.073100 m, 31.3700 µs",
+            ),
+            (
+                Ended::BeyondTheLaw { fibre: Fibre::Secondary, at, time },
+                "the secondary fibre is strained beyond the range of its law at 0.073100 m, 31.3700 µs",
+            ),
+            (Ended::SlidesOnKink { time }, "a kink reaches the sliding crossover at 31.3700 µs"),
+            (
+                Ended::Unresolved { time },
+                "by 31.3700 µs the waves too weak to follow add up to more than the strain itself",
+            ),
+            (
+                Ended::TooMany { time, events: 713 },
+                "713 meetings of fronts by 31.3700 µs are the limit",
+            ),
+        ] {
+            assert_eq!(ended.to_string(), words);
+        }
+    }
+}

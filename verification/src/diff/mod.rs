@@ -30,7 +30,7 @@ pub use number::Tolerance;
 use rank::At;
 use record::{Agreeing, FirstDifference, Kind, Located, QuantityDifference, Record};
 use scan::{Named, Quantities};
-use stream::Stream;
+pub use stream::Stream;
 use tally::Tally;
 pub use text::Report;
 
@@ -77,7 +77,8 @@ impl Comparison {
         Ok(Self::of(a?, b?, options))
     }
 
-    fn of(a: Stream, b: Stream, options: Options) -> Self {
+    /// Of two traces whose headers have been read.
+    pub fn of(a: Stream, b: Stream, options: Options) -> Self {
         let header = HeaderDifference::of(&a.header, &b.header);
         Self {
             a,

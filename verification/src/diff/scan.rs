@@ -10,6 +10,10 @@ use crossfibre::place::{Fibre, Place};
 use super::number::Number;
 use super::rank::At;
 
+/// Quantities that an event may have: some times what the longest equation has. They are looked for by
+/// name, each among all, which takes minutes for as many as fit into a line.
+const MOST: usize = 100;
+
 /// The quantities of an event: the inputs as they stand in the line, then the output.
 #[derive(Debug, Default)]
 pub struct Quantities {
@@ -80,6 +84,11 @@ impl Quantities {
         }
         self.each.push(Quantity { name, is_vector, numbers: first..self.numbers.len() });
         Some(())
+    }
+
+    /// Whether there are more than any equation has.
+    pub fn are_too_many(&self) -> bool {
+        self.each.len() > MOST
     }
 
     /// All of them; `line` is the one that they were read from.

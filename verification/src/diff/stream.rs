@@ -164,16 +164,20 @@ impl Stream {
             return Ok(());
         };
         if into.read(self.text(), current.rest).is_some() {
-            return Ok(());
+            return self.checked(into);
         }
         if self.rewritten.is_none() {
             let (at, rest) = self.rewrite()?;
             self.current = Some(Current { at, rest, ..current });
             if into.read(self.text(), rest).is_some() {
-                return Ok(());
+                return self.checked(into);
             }
         }
         Err(self.wrong("an input whose name is not of plain letters"))
+    }
+
+    fn checked(&self, quantities: &Quantities) -> Result<()> {
+        if quantities.are_too_many() { Err(self.wrong("too many inputs")) } else { Ok(()) }
     }
 
     /// The event as text: the line, or the same in the form of the library.

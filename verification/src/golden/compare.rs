@@ -106,7 +106,7 @@ fn read(file: &str, text: &str) -> Result<Named, String> {
         }
     } else {
         let mut json = parse(text)?;
-        let list = json["vectors"].take();
+        let list = json.get_mut("vectors").map(Json::take).unwrap_or_default();
         if let Json::Object(envelope) = &mut json {
             envelope.remove("vectors");
             envelope.remove("provenance");

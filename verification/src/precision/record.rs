@@ -81,10 +81,13 @@ impl Record {
 
     /// The record as JSON, a run a line.
     pub fn json(&self) -> String {
-        let line = |entry: &Entry| serde_json::to_string(entry).expect("its numbers are finite");
-        let lines: Vec<_> = self.entries.iter().map(line).collect();
-        let Self { format, version, .. } = self;
-        let head = format!("{{\"format\":\"{format}\",\"version\":\"{version}\",\"entries\":[\n");
+        fn json(of: &impl Serialize) -> String {
+            serde_json::to_string(of).expect("its numbers are finite")
+        }
+        let Self { format, version, entries } = self;
+        let lines: Vec<_> = entries.iter().map(json).collect();
+        let [format, version] = [format, version].map(json);
+        let head = format!("{{\"format\":{format},\"version\":{version},\"entries\":[\n");
         head + &lines.join(",\n") + "\n]}\n"
     }
 

@@ -86,9 +86,13 @@ impl Times {
         let name = path.display();
         let text = fs::read_to_string(path).with_context(|| format!("{name}: cannot be read"))?;
         let help = "help: name the times.json that `study work-precision` has written";
-        let times: Self =
-            serde_json::from_str(&text).map_err(|error| anyhow!("{name}: {error}\n  {help}"))?;
-        ensure!(times.format == FORMAT, "{name}: is `{}`, not `{FORMAT}`\n  {help}", times.format);
+        Self::parse(&text).map_err(|error| anyhow!("{name}: {error}\n  {help}"))
+    }
+
+    /// The times that a text holds.
+    pub fn parse(text: &str) -> Result<Self> {
+        let times: Self = serde_json::from_str(text)?;
+        ensure!(times.format == FORMAT, "is `{}`, not `{FORMAT}`", times.format);
         Ok(times)
     }
 

@@ -70,8 +70,7 @@ fn column(case: &Case, check: Check) -> Result<Column> {
 
 fn row(fault: &Fault, cases: &[Case], checks: &[Column], said: &[Said]) -> Row {
     let of = |case: &str| said.iter().find(|said| said.case == case);
-    let falls =
-        |check: &Column| of(&check.case).is_some_and(|said| !said.stands(&check.claim));
+    let falls = |check: &Column| of(&check.case).is_some_and(|said| !said.stands(&check.claim));
     Row {
         id: fault.id.into(),
         group: fault.group.to_string(),

@@ -85,7 +85,9 @@ fn listen(child: &mut Child, cases: usize) -> Result<Vec<Said>> {
         match lines.recv_timeout(PATIENCE) {
             Ok(line) => {
                 let line = line?;
-                said.push(serde_json::from_str(&line).with_context(|| format!("it prints {line}"))?);
+                said.push(
+                    serde_json::from_str(&line).with_context(|| format!("it prints {line}"))?,
+                );
             }
             Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
         }

@@ -7,7 +7,14 @@ use crate::tables::markdown;
 
 /// The page.
 pub fn page(matrix: &Matrix) -> String {
-    let sections = [head(matrix), groups(matrix), judgement(&judge(matrix)), rewrites(matrix), faults(matrix), checks(matrix)];
+    let sections = [
+        head(matrix),
+        groups(matrix),
+        judgement(&judge(matrix)),
+        rewrites(matrix),
+        faults(matrix),
+        checks(matrix),
+    ];
     sections.join("\n")
 }
 
@@ -23,13 +30,18 @@ pub fn groups(matrix: &Matrix) -> String {
     let rows: Vec<Vec<String>> = names
         .iter()
         .map(|&name| {
-            let of_group: Vec<&Row> = matrix.faults.iter().filter(|row| row.group == name).collect();
+            let of_group: Vec<&Row> =
+                matrix.faults.iter().filter(|row| row.group == name).collect();
             let noticed = of_group.iter().filter(|row| !missed.contains(&row.id.as_str())).count();
             let fewest = of_group.iter().map(|row| matrix.count(row)).min().unwrap_or(0);
-            [name.to_owned(), of_group.len().to_string(), noticed.to_string(), fewest.to_string()].to_vec()
+            [name.to_owned(), of_group.len().to_string(), noticed.to_string(), fewest.to_string()]
+                .to_vec()
         })
         .collect();
-    markdown(&["faults in", "faults", "noticed by the quick checks", "fewest checks that notice one"], &rows)
+    markdown(
+        &["faults in", "faults", "noticed by the quick checks", "fewest checks that notice one"],
+        &rows,
+    )
 }
 
 /// What is wrong with the matrix, as a list; a sentence if nothing is.
@@ -94,8 +106,10 @@ fn faults(matrix: &Matrix) -> String {
             ]
         })
         .collect();
-    format!("## The faults\n\nA case in italics comes to no end with the fault: it panics.\n\n{}",
-        markdown(&["fault", "in", "what is done instead", "checks", "cases that notice it"], &rows))
+    format!(
+        "## The faults\n\nA case in italics comes to no end with the fault: it panics.\n\n{}",
+        markdown(&["fault", "in", "what is done instead", "checks", "cases that notice it"], &rows)
+    )
 }
 
 /// The cases that notice a fault, each once.
@@ -120,8 +134,16 @@ fn checks(matrix: &Matrix) -> String {
         .enumerate()
         .map(|(i, check)| {
             let quick = if check.quick { "yes" } else { "" };
-            vec![check.case.clone(), cell(&check.claim), quick.into(), matrix.caught_by(i).count().to_string()]
+            vec![
+                check.case.clone(),
+                cell(&check.claim),
+                quick.into(),
+                matrix.caught_by(i).count().to_string(),
+            ]
         })
         .collect();
-    format!("## The checks\n\n{}", markdown(&["case", "claim", "quick", "faults that it notices"], &rows))
+    format!(
+        "## The checks\n\n{}",
+        markdown(&["case", "claim", "quick", "faults that it notices"], &rows)
+    )
 }

@@ -6,7 +6,7 @@
 //! ([`Shard`]), and a copy of their files into one folder is the whole. What is drawn from a sweep is
 //! drawn from the stored files alone: however they came about, the result is the same to the bit.
 
-mod folder;
+pub mod folder;
 mod shard;
 
 use std::path::PathBuf;

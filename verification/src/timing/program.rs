@@ -34,7 +34,11 @@ pub fn turn(command: &mut Command) -> Result<Turn> {
     read(&said).with_context(|| format!("{command:?} prints {}", said.trim()))
 }
 
-fn read(text: &str) -> Result<Turn> {
+/// What a program printed of itself.
+///
+/// # Errors
+/// It is no such line.
+pub fn read(text: &str) -> Result<Turn> {
     let Line { seconds, element_steps, checksum } = serde_json::from_str(text)?;
     let checksum = checksum.map(|digits| u64::from_str_radix(&digits, 16)).transpose()?;
     Ok(Turn { seconds, element_steps, checksum })
