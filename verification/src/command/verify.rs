@@ -11,9 +11,8 @@ use indicatif::ProgressBar;
 use crate::cases::support::shipped;
 use crate::cases::{self, Verdict};
 use crate::exit::{Exit, say};
-use crate::output::Destination;
 use crate::record::{CaseRecord, Record, run_cases};
-use crate::report::{junit, markdown};
+use crate::report::{self, markdown};
 use crate::wide;
 
 /// Arguments.
@@ -28,7 +27,7 @@ pub struct Args {
     /// Print the record as JSON instead of lines for people.
     #[arg(long)]
     json: bool,
-    /// Folder for report.json, junit.xml and VALIDATION.md.
+    /// Folder for report.json, report.html, junit.xml, VALIDATION.md and summary.md.
     #[arg(long, default_value = "target/verification", value_name = "DIR")]
     out: PathBuf,
     /// Fail if this file is not the VALIDATION.md that was written: a stale report.
@@ -132,21 +131,13 @@ fn print(records: &[CaseRecord]) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes the three reports; gives the text of VALIDATION.md.
+/// Writes the record and the reports; gives the text of VALIDATION.md.
 fn write_reports(record: &Record, folder: &Path) -> Result<String> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let validation = markdown::render(record);
-    let json = serde_json::to_string_pretty(record)? + "\n";
-    for (name, text) in [
-        ("report.json", &json),
-        ("junit.xml", &junit::render(record)?),
-        ("VALIDATION.md", &validation),
-    ] {
-        let mut out = Destination::of(Some(&folder.join(name)))?.open()?;
-        out.write_all(text.as_bytes())?;
-        out.finish()?;
-    }
-    Ok(validation)
+    let mut files = vec![("report.json", record.json())];
+    files.extend(report::files(record));
+    report::write(folder, &files)?;
+    let validation = files.into_iter().find(|(name, _)| *name == "VALIDATION.md");
+    Ok(validation.map(|(_, text)| text).unwrap_or_default())
 }
 
 /// Whether a file differs from the report just written; says where.
