@@ -3,6 +3,7 @@
 use crossfibre::exact::crossover::Coefficients;
 use crossfibre::exact::smith::{Fibre, Law};
 use crossfibre::scene::{Scene, Strain};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::cases::crossover::{exact_coefficients, measured};
@@ -14,7 +15,7 @@ use crate::cases::support::{
 use crate::cases::{self, Verdict};
 
 /// What came of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Finding {
     /// Found here as claimed.
@@ -28,7 +29,8 @@ pub enum Finding {
 }
 
 /// One claim of the paper.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Claim {
     /// What the paper says, in our words.
     pub claim: String,

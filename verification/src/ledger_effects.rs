@@ -6,6 +6,7 @@ use crossfibre::number::Number;
 use crossfibre::paper::{Lengths, Paper, Printed};
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::cases::crossover::{exact_coefficients, measured, sideways};
@@ -15,27 +16,41 @@ use crate::cases::support::{
     sliding_by,
 };
 use crate::closed_form::component;
+use crate::conform::real::{self, Real};
 use crate::planted::{self, march};
 
 /// Times that the mesh of Fig. 3 is refined for the table: 0.25 mm.
 const REFINED: usize = 8;
 
 /// What a set of corrections gives for Fig. 3.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct CrossoverRow {
     /// Which corrections.
     pub corrections: String,
     /// Mean strain of the primary behind the crossover.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub strain_behind: f64,
     /// R.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub reflection: f64,
     /// T.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub transmission: f64,
     /// D of each arm.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub diversion: f64,
     /// Residual of the energy balance over the energy put in.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub energy: f64,
     /// Velocity of the crossover's node across the primary, m/s.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub sideways: f64,
     /// Residual of the energy balance when the kink has passed a crossover 12 mm from the impact;
     /// none where the run has run away.
@@ -43,22 +58,30 @@ pub struct CrossoverRow {
 }
 
 /// What a set of corrections gives for a projectile of finite mass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct ProjectileRow {
     /// Which corrections.
     pub corrections: String,
     /// How the run ended.
     pub outcome: String,
     /// Velocity at the end, m/s.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub velocity: f64,
     /// Residual of the energy balance over the energy put in.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub energy: f64,
     /// Residual of the momentum balance over the momentum at impact.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub momentum: f64,
 }
 
 /// What a departure that changes no equation amounts to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Remark {
     /// Id in the ledger.
     pub id: String,
@@ -67,7 +90,8 @@ pub struct Remark {
 }
 
 /// All measured effects.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Effects {
     /// Fig. 3.
     pub crossover: Vec<CrossoverRow>,

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use crossfibre_verification::record::Record;
-use crossfibre_verification::report::{junit, markdown};
+use crossfibre_verification::report;
 
 fn verify(arguments: &[&str], folder: &Path) -> assert_cmd::assert::Assert {
     Command::cargo_bin("crossfibre")
@@ -28,9 +28,26 @@ fn everything_passes_and_the_reports_are_functions_of_the_record() {
     verify(&[], folder.path()).success();
     let reports = folder.path().join("target/verification");
     let read = |name: &str| fs::read_to_string(reports.join(name)).unwrap();
-    let record: Record = serde_json::from_str(&read("report.json")).unwrap();
-    assert_eq!(markdown::render(&record), read("VALIDATION.md"));
-    assert_eq!(junit::render(&record).unwrap(), read("junit.xml"));
+    let record = Record::read(&read("report.json")).unwrap();
+    assert_eq!(record.json(), read("report.json"));
+    for (name, text) in report::files(&record) {
+        assert!(text == read(name), "{name}");
+    }
+    // The same by the command, twice, to the byte.
+    for again in ["first", "second"] {
+        let out = folder.path().join(again);
+        Command::cargo_bin("crossfibre")
+            .unwrap()
+            .args(["report", "--from", "target/verification/report.json", "--out", again])
+            .current_dir(folder.path())
+            .assert()
+            .success();
+        for (name, _) in report::files(&record) {
+            assert!(fs::read_to_string(out.join(name)).unwrap() == read(name), "{again} {name}");
+        }
+    }
+    let page = read("report.html");
+    assert!(page.len() < 3_000_000, "{}", page.len());
 
     // The checked-in report is that of today.
     let checked_in = Path::new(env!("CARGO_MANIFEST_DIR")).join("../VALIDATION.md");

@@ -155,28 +155,25 @@ pub fn moved_along(scene: Scene) -> f64 {
 
 fn galilean() -> Vec<Check> {
     let norm = "greatest distance of a node from its moving image, in elements";
-    let mut checks: Vec<Check> = ["single-400", "fig3"]
-        .into_iter()
-        .map(|name| {
-            check(
-                format!("{name}, carried along at 136 m/s with its clamps, does the same"),
-                "principle of relativity",
-                norm,
-                moved_along(shipped(name)),
-                Bound::AtMost(3e-12),
-                "rounding of positions that are farther away, in 100 steps",
-            )
-        })
-        .collect();
-    checks.push(check(
-        "With α_s = 0.73 it does not",
-        "principle of relativity",
-        norm,
-        moved_along(sliding_by(0.73, shipped("fig3"))),
-        Bound::AtLeast(2e-3),
-        "ledger slide-frame: α_s multiplies a velocity over ground, as the page has it",
-    ));
-    checks
+    let [single, crossed] = ["single-400", "fig3"].map(|name| moved_along(shipped(name)));
+    vec![
+        check(
+            "single-400 and fig3, carried along at 136 m/s with their clamps, do the same",
+            "principle of relativity",
+            &format!("{norm}, of both"),
+            if single > crossed { single } else { crossed },
+            Bound::AtMost(3e-12),
+            "rounding of positions that are farther away, in 100 steps; the farthest are the same in both",
+        ),
+        check(
+            "With α_s = 0.73 fig3 does not",
+            "principle of relativity",
+            norm,
+            moved_along(sliding_by(0.73, shipped("fig3"))),
+            Bound::AtLeast(2e-3),
+            "ledger slide-frame: α_s multiplies a velocity over ground, as the page has it",
+        ),
+    ]
 }
 
 /// The scene in units 2^-a m, 2^-b s, 2^-c kg.

@@ -18,14 +18,15 @@ mod projectile;
 mod smith;
 mod stability;
 pub mod support;
-pub mod whereabouts;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::conform::real::{self, Real};
 use crate::extremes;
 
 /// One comparison with an oracle.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Check {
     /// What is claimed, as a sentence.
     pub claim: String,
@@ -34,6 +35,8 @@ pub struct Check {
     /// How the error is measured.
     pub norm: String,
     /// The error, or the quantity that the bound is on.
+    #[serde(with = "real::plain")]
+    #[schemars(with = "Real")]
     pub measured: f64,
     /// What it may be.
     pub bound: Bound,
@@ -42,7 +45,7 @@ pub struct Check {
 }
 
 /// What a measured number may be.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Bound {
     /// Nothing but this, to the bit.
@@ -51,15 +54,19 @@ pub enum Bound {
     AtMost(f64),
     /// A fault that must show: at least this, and not over eight times it.
     AtLeast(f64),
-    /// From the first to the second.
+    /// From the first to the second. A window of one sign spans at most a factor of eight. One that holds
+    /// zero is at most 1 wide: it is of orders and shares, where 1 is the step to the next.
     Within(f64, f64),
 }
 
 /// A tolerance beyond this many times the measured error is itself a failure.
 pub const HEAD_ROOM: f64 = 8.0;
 
+/// A window that holds zero is at most so wide.
+const WIDEST: f64 = 1.0;
+
 /// What came of a check.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// Within its bound.
@@ -68,6 +75,21 @@ pub enum Verdict {
     Failed,
     /// Within a bound so loose that it would not notice a change.
     Loose,
+    /// Within its bound, and said before: another check of the case has the same claim, or the same
+    /// number and bound.
+    Redundant,
+}
+
+impl Verdict {
+    /// What is the matter, in a few words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "out of bounds",
+            Self::Loose => "bound too loose",
+            Self::Redundant => "says what another check of the case says",
+        }
+    }
 }
 
 impl Check {
@@ -78,7 +100,7 @@ impl Check {
             Bound::Exactly(expected) => (x.to_bits() == expected.to_bits(), false),
             Bound::AtMost(most) => (x <= most, x * HEAD_ROOM < most),
             Bound::AtLeast(least) => (x >= least, x > HEAD_ROOM * least),
-            Bound::Within(low, high) => (low <= x && x <= high, false),
+            Bound::Within(low, high) => (low <= x && x <= high, is_wide(low, high)),
         };
         match (kept, loose) {
             (false, _) => Verdict::Failed,
@@ -86,6 +108,45 @@ impl Check {
             (true, false) => Verdict::Passed,
         }
     }
+
+    /// The factor between the measured number and the bound; none where nothing was measured, and for
+    /// bounds that are no such factor.
+    pub fn head_room(&self) -> Option<f64> {
+        let factor = match self.bound {
+            Bound::AtMost(most) if self.measured != 0.0 => most / self.measured,
+            Bound::AtLeast(least) => self.measured / least,
+            _ => return None,
+        };
+        factor.is_finite().then_some(factor)
+    }
+
+    /// Whether another check of the same case says the same. That two numbers are both what they must be
+    /// to the bit is no repetition.
+    fn repeats(&self, other: &Self) -> bool {
+        let exactly = matches!(self.bound, Bound::Exactly(_));
+        let same = self.measured.to_bits() == other.measured.to_bits() && self.bound == other.bound;
+        self.claim == other.claim || (same && !exactly)
+    }
+}
+
+/// Whether a window would hold what it should tell apart.
+fn is_wide(low: f64, high: f64) -> bool {
+    if low <= 0.0 && high >= 0.0 {
+        high - low > WIDEST * (1.0 + f64::EPSILON)
+    } else {
+        (high / low).max(low / high) > HEAD_ROOM
+    }
+}
+
+/// The verdicts on the checks of a case, in their order.
+pub fn verdicts(checks: &[Check]) -> Vec<Verdict> {
+    let verdict = |(k, check): (usize, &Check)| match check.verdict() {
+        Verdict::Passed if checks[..k].iter().any(|before| check.repeats(before)) => {
+            Verdict::Redundant
+        }
+        verdict => verdict,
+    };
+    checks.iter().enumerate().map(verdict).collect()
 }
 
 /// A group of checks on the same runs.
@@ -164,6 +225,58 @@ mod tests {
         for bound in [Bound::Exactly(0.0), Bound::AtMost(1.0), Bound::AtLeast(0.0)] {
             assert_eq!(check(f64::NAN, bound), Verdict::Failed, "{bound:?}");
         }
+    }
+
+    #[test]
+    fn a_window_must_tell_something_apart() {
+        let window = |low, high, x| check(x, Bound::Within(low, high));
+        // A factor of 7.5, and of 8.2.
+        assert_eq!(window(0.02, 0.15, 0.053), Verdict::Passed);
+        assert_eq!(window(0.02, 0.164, 0.053), Verdict::Loose);
+        assert_eq!(window(-3.5, -0.43, -2.9), Verdict::Loose);
+        // Widths of 1 and 1.03.
+        assert_eq!(window(-0.2, 0.8, 0.072), Verdict::Passed);
+        assert_eq!(window(-0.2, 0.83, 0.072), Verdict::Loose);
+        assert_eq!(window(0.0, 1.03, 0.0), Verdict::Loose);
+        assert_eq!(window(-0.2, 0.83, 0.91), Verdict::Failed);
+    }
+
+    #[test]
+    fn a_check_that_says_what_another_says_is_redundant() {
+        let check = |claim: &str, measured, bound| Check {
+            claim: claim.into(),
+            oracle: String::new(),
+            norm: String::new(),
+            measured,
+            bound,
+            reason: String::new(),
+        };
+        let verdicts = verdicts(&[
+            check("one", 0.37, Bound::AtMost(0.9)),
+            check("two", 0.37, Bound::AtMost(0.8)),
+            check("three", 0.37, Bound::AtMost(0.9)),
+            check("two", 0.41, Bound::AtMost(0.7)),
+            check("two", 0.71, Bound::AtMost(0.7)),
+            check("four", 0.0, Bound::Exactly(0.0)),
+            check("five", 0.0, Bound::Exactly(0.0)),
+        ]);
+        use Verdict::{Failed, Passed, Redundant};
+        assert_eq!(verdicts, [Passed, Passed, Redundant, Redundant, Failed, Passed, Passed]);
+    }
+
+    #[test]
+    fn head_room_is_the_factor_to_the_bound() {
+        let of = |measured, bound| {
+            let text = String::new;
+            let (claim, oracle, norm, reason) = (text(), text(), text(), text());
+            Check { claim, oracle, norm, measured, bound, reason }.head_room()
+        };
+        assert_eq!(of(0.125, Bound::AtMost(0.5)), Some(4.0));
+        assert_eq!(of(0.75, Bound::AtLeast(0.25)), Some(3.0));
+        for bound in [Bound::AtMost(0.5), Bound::Exactly(0.0), Bound::Within(0.0, 0.7)] {
+            assert_eq!(of(0.0, bound), None, "{bound:?}");
+        }
+        assert_eq!(of(f64::NAN, Bound::AtMost(0.5)), None);
     }
 
     #[test]

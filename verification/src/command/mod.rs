@@ -10,10 +10,12 @@ mod new;
 mod plan;
 mod plan_accuracy;
 mod plot;
+mod report;
 mod run;
 mod scene;
 mod schema;
 mod select;
+mod sensitivity;
 mod shell;
 mod study;
 mod trace;
@@ -58,6 +60,8 @@ enum Command {
     Plan(plan::Args),
     /// Run the checks, say what came of them and write the reports.
     Verify(verify::Args),
+    /// Write the reports again from a stored record.
+    Report(report::Args),
     /// Run a study, a sweep of many runs, and draw what comes of it.
     Study(study::Args),
     /// Judge another program: ask it, and hold its answers against the reference.
@@ -96,6 +100,7 @@ fn run(command: Command) -> Result<Exit> {
         Command::Exact(args) => exact::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Verify(args) => verify::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Study(args) => study::run(args),
         Command::Conform(args) => conform::run(args),
         Command::Vectors(args) => vectors::run(&args),

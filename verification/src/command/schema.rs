@@ -16,6 +16,7 @@ use crate::exact_file::ExactFile;
 use crate::exit::Exit;
 use crate::golden::file::VectorFile;
 use crate::output::Destination;
+use crate::record;
 use crate::trace_line::TraceLine;
 
 /// Arguments.
@@ -46,6 +47,8 @@ enum Format {
     Conformance,
     /// What `conform --json` writes: crossfibre-conformance-report/1
     ConformanceReport,
+    /// What `verify` writes and `report` reads: crossfibre-report/1
+    Report,
     /// A file of golden vectors, written by `vectors --bless`: crossfibre-vectors/1
     Vectors,
 }
@@ -60,6 +63,7 @@ pub fn run(args: &Args) -> Result<Exit> {
         Format::Plan => schema_for!(PlanFile),
         Format::Conformance => schema_for!(protocol::Message),
         Format::ConformanceReport => schema_for!(conform::record::Report),
+        Format::Report => schema_for!(record::Record),
         Format::Vectors => schema_for!(VectorFile),
     };
     let mut out = Destination::of(args.output.as_deref())?.open()?;

@@ -3,13 +3,13 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Result, anyhow};
 use indicatif::ProgressBar;
 
 use crate::cases::Case;
 use crate::exit::Exit;
-use crate::output::write_all;
 use crate::planted;
+use crate::report;
 use crate::sensitivity::judge::judge;
 use crate::sensitivity::measure::{Asked, measure};
 use crate::sensitivity::{one, page};
@@ -23,7 +23,7 @@ pub fn run(asked: &Asked<'_>, folder: &Path, as_json: bool) -> Result<Exit> {
     bar.finish_and_clear();
 
     let json = serde_json::to_string_pretty(&matrix)? + "\n";
-    write_all(folder, &[("matrix.json", &json), ("README.md", &page::page(&matrix))])?;
+    report::write(folder, &[("matrix.json", json.clone()), ("README.md", page::page(&matrix))])?;
     let judged = judge(&matrix);
     let mut out = io::stdout().lock();
     if as_json {
@@ -31,7 +31,7 @@ pub fn run(asked: &Asked<'_>, folder: &Path, as_json: bool) -> Result<Exit> {
     } else {
         writeln!(out, "{}", page::groups(&matrix))?;
         write!(out, "{}", page::judgement(&judged))?;
-        writeln!(out, "\n{} and its page: {}", "matrix.json", folder.display())?;
+        writeln!(out, "\nthe matrix and its page: {}", folder.display())?;
     }
     Ok(if judged.is_well() { Exit::Well } else { Exit::CheckFailed })
 }

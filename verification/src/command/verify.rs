@@ -8,13 +8,13 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail};
 use serde_json::json;
 
-use super::verify_shown;
+use super::{sensitivity, verify_shown};
 use crate::cases::support::shipped;
 use crate::cases::{self, Case};
 use crate::exit::{Exit, say};
-use crate::output::Destination;
 use crate::record::{CaseRecord, Record};
-use crate::report::{junit, markdown};
+use crate::report;
+use crate::sensitivity::measure::Asked;
 use crate::wide;
 
 /// Arguments.
@@ -29,14 +29,21 @@ pub struct Args {
     /// Everything, and what takes minutes: the whole stored record of the study work-precision
     #[arg(long, conflicts_with = "quick")]
     full: bool,
+    /// Plant every fault of the catalogue in turn and say which checks notice it: the kill matrix, written to
+    /// --out [default: target/sensitivity]; of the cases that are chosen
+    #[arg(long, conflicts_with_all = ["full", "list", "compare"])]
+    sensitivity: bool,
+    /// Run the checks with a fault planted: what --sensitivity does with every fault
+    #[arg(long, value_name = "FAULT", hide = true, conflicts_with_all = ["sensitivity", "list", "out", "compare"])]
+    plant: Option<String>,
     /// Name the cases and stop: name, quick or not, number of equations exercised, title
     #[arg(long)]
     list: bool,
     /// Print the record as JSON instead of lines for people
     #[arg(long)]
     json: bool,
-    /// Folder for the reports [default: target/verification]; of a part of the cases, report.json and
-    /// junit.xml only
+    /// Folder for the reports [default: target/verification]; of a part of the cases all but
+    /// VALIDATION.md
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Fail if this file is not the VALIDATION.md that was written: a stale report
@@ -51,6 +58,14 @@ pub fn run(args: &Args) -> Result<Exit> {
         list(&chosen, args.json)?;
         return Ok(Exit::Well);
     }
+    if let Some(fault) = &args.plant {
+        return sensitivity::planted(fault, &chosen);
+    }
+    if args.sensitivity {
+        let folder = args.out.as_deref().unwrap_or(Path::new("target/sensitivity"));
+        let asked = Asked { cases: &chosen, arguments: &args.selection() };
+        return sensitivity::run(&asked, folder, args.json);
+    }
     let records = verify_shown::run(&chosen, !args.json)?;
     let well = records.iter().flat_map(CaseRecord::troubles).next().is_none();
     let stale = if args.is_part() { part(args, records)? } else { whole(args, records)? };
@@ -61,6 +76,12 @@ impl Args {
     /// Whether cases are left out.
     fn is_part(&self) -> bool {
         self.quick || !self.filter.is_empty()
+    }
+
+    /// The arguments that choose the same cases.
+    fn selection(&self) -> Vec<String> {
+        let filters = self.filter.iter().flat_map(|part| ["--filter".into(), part.clone()]);
+        self.quick.then(|| "--quick".into()).into_iter().chain(filters).collect()
     }
 }
 
@@ -105,10 +126,10 @@ fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
         tell(&records)?;
     }
     if let Some(folder) = &args.out {
-        let record = Record::around(records);
-        fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-        write(&folder.join("report.json"), &(serde_json::to_string_pretty(&record)? + "\n"))?;
-        write(&folder.join("junit.xml"), &junit::render(&record)?)?;
+        let mut files = written(&Record::around(records));
+        // That one is of all cases.
+        files.retain(|(name, _)| *name != VALIDATION);
+        report::write(folder, &files)?;
     }
     Ok(false)
 }
@@ -117,7 +138,8 @@ fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
 fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
     let out = args.out.as_deref().unwrap_or(Path::new("target/verification"));
     let record = Record::around(records);
-    let validation = write_reports(&record, out)?;
+    let files = written(&record);
+    report::write(out, &files)?;
     if args.json {
         writeln!(io::stdout().lock(), "{}", serde_json::to_string_pretty(&record)?)?;
     } else {
@@ -130,7 +152,11 @@ fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
         )?;
         writeln!(to, "reports: {}", out.display())?;
     }
-    args.compare.as_ref().map_or(Ok(false), |file| is_stale(file, &validation, out))
+    let validation = files.iter().find(|(name, _)| *name == VALIDATION).map(|(_, text)| text);
+    match (&args.compare, validation) {
+        (Some(file), Some(validation)) => is_stale(file, validation, out),
+        _ => Ok(false),
+    }
 }
 
 /// What failed, and how many.
@@ -154,25 +180,12 @@ fn timing_example() -> Duration {
     (0..20).map(|_| run()).min().unwrap_or_default()
 }
 
-/// Writes the three reports; gives the text of VALIDATION.md.
-fn write_reports(record: &Record, folder: &Path) -> Result<String> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let validation = markdown::render(record);
-    let json = serde_json::to_string_pretty(record)? + "\n";
-    for (name, text) in [
-        ("report.json", &json),
-        ("junit.xml", &junit::render(record)?),
-        ("VALIDATION.md", &validation),
-    ] {
-        write(&folder.join(name), text)?;
-    }
-    Ok(validation)
-}
+/// The report that is in the repository.
+const VALIDATION: &str = "VALIDATION.md";
 
-fn write(path: &Path, text: &str) -> Result<()> {
-    let mut out = Destination::of(Some(path))?.open()?;
-    out.write_all(text.as_bytes())?;
-    out.finish()
+/// The record and the reports.
+fn written(record: &Record) -> Vec<(&'static str, String)> {
+    [("report.json", record.json())].into_iter().chain(report::files(record)).collect()
 }
 
 /// Whether a file differs from the report just written; says where.
@@ -186,7 +199,7 @@ fn is_stale(file: &Path, fresh: &str, folder: &Path) -> Result<bool> {
         "{} is stale from line {} on: read the difference, then copy {} over it",
         file.display(),
         line + 1,
-        folder.join("VALIDATION.md").display()
+        folder.join(VALIDATION).display()
     ));
     Ok(true)
 }

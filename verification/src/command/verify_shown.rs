@@ -7,10 +7,10 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::cases::{Case, Verdict, all, whereabouts};
+use crate::cases::{Case, all};
 use crate::exit::{BAD, GOOD};
-use crate::record::{CaseRecord, CheckRecord, run_watched};
-use crate::report::markdown;
+use crate::record::{CaseRecord, run_watched};
+use crate::report::words::{advice, bound};
 
 /// Runs cases, and prints each as soon as it and all before it are done.
 pub fn run(cases: &[Case], print_lines: bool) -> io::Result<Vec<CaseRecord>> {
@@ -87,16 +87,9 @@ fn line(case: &CaseRecord) -> String {
         case.title
     );
     for trouble in troubles {
-        text += &format!("         {}: {}\n", trouble.check.claim, what(trouble));
+        text += &format!("         {}: {}\n", trouble.check.claim, trouble.verdict.words());
     }
     text
-}
-
-fn what(trouble: &CheckRecord) -> &'static str {
-    match trouble.verdict {
-        Verdict::Loose => "the bound is too loose for what is measured",
-        _ => "out of bounds",
-    }
 }
 
 /// Every check that did not pass, with its numbers and what to do next; nothing if all did.
@@ -105,16 +98,15 @@ pub fn failures(records: &[CaseRecord], to: &mut impl Write) -> io::Result<()> {
         writeln!(to, "\n{BAD}FAILED{BAD:#} {}: {}", case.id, case.title)?;
         for trouble in case.troubles() {
             let check = &trouble.check;
-            writeln!(to, "  {}: {}", check.claim, what(trouble))?;
-            let bound = markdown::bound(check.bound);
-            writeln!(to, "    measured {:e}, bound {bound}", check.measured)?;
+            writeln!(to, "  {}: {}", check.claim, trouble.verdict.words())?;
+            writeln!(to, "    measured {:e}, bound {}", check.measured, bound(check.bound))?;
             writeln!(to, "    norm:   {}", check.norm)?;
             writeln!(to, "    oracle: {}", check.oracle)?;
             writeln!(to, "    reason of the bound: {}", check.reason)?;
+            writeln!(to, "    what to do: {}", advice(trouble.verdict))?;
         }
-        if let Some(files) = whereabouts::of(&case.id) {
-            writeln!(to, "  derived in: {}", files.derivation)?;
-            writeln!(to, "  source:     {}", files.source)?;
+        for page in &case.derivation {
+            writeln!(to, "  derived in: {}", page.path)?;
         }
         let full = if all().iter().any(|ordinary| ordinary.id == case.id) { "" } else { "--full " };
         writeln!(to, "  again:      crossfibre verify {full}--filter {}", case.id)?;
@@ -125,7 +117,9 @@ pub fn failures(records: &[CaseRecord], to: &mut impl Write) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cases::{Bound, Check};
+    use crate::cases::{Bound, Check, Verdict};
+    use crate::derivations;
+    use crate::record::CheckRecord;
 
     fn case(id: &str, verdict: Verdict) -> CaseRecord {
         let text = |what: &str| format!("{what} of {id}");
@@ -138,7 +132,16 @@ mod tests {
             reason: text("reason"),
         };
         let checks = vec![CheckRecord { check, verdict }];
-        CaseRecord { id: id.into(), title: text("title"), equations: vec![], checks, seconds: 1.7 }
+        CaseRecord {
+            id: id.into(),
+            title: text("title"),
+            quick: true,
+            equations: vec![],
+            derivation: derivations::of(id),
+            pictures: vec![],
+            checks,
+            seconds: 1.7,
+        }
     }
 
     #[test]
@@ -162,7 +165,7 @@ mod tests {
             "claim of smith.kink: out of bounds",
             "measured 1.37e-2, bound at most 0.0121",
             "derived in: docs/exact/smith.md",
-            "source:     verification/src/cases/smith.rs",
+            "what to do: run the case again",
             "again:      crossfibre verify --filter smith.kink",
         ] {
             assert!(text.contains(part), "{part} is not in:\n{text}");
@@ -179,6 +182,6 @@ mod tests {
         );
         let loose = strip(line(&case("smith.kink", Verdict::Loose)));
         assert!(loose.starts_with("FAILED smith.kink                  0/1 "), "{loose}");
-        assert!(loose.contains("claim of smith.kink: the bound is too loose"), "{loose}");
+        assert!(loose.contains("claim of smith.kink: bound too loose"), "{loose}");
     }
 }

@@ -4,16 +4,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::record::{ItemRecord, Report, Row, Verdict};
 use super::text::{conclusion, left_out, ulps};
-
-const STYLE: &str = "
-:root { color-scheme: light dark; --line: #8888; --good: #1a7f37; --bad: #c0362c }
-@media (prefers-color-scheme: dark) { :root { --good: #57d27a; --bad: #ff8f85 } }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 84rem; margin: 2rem auto; padding: 0 1rem }
-div.wide { overflow-x: auto } table { border-collapse: collapse; font-size: 0.9rem }
-th, td { padding: 0.25rem 0.5rem; white-space: nowrap; border-bottom: 1px solid var(--line); text-align: right }
-th:first-child, td:first-child, td.text, th.text { text-align: left }
-td.long { white-space: normal; min-width: 24rem } .good { color: var(--good) } .bad { color: var(--bad) } code { overflow-wrap: anywhere }
-";
+use crate::report::html::style::STYLE;
 
 /// The text of the file.
 pub fn render(report: &Report) -> String {

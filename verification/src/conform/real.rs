@@ -64,6 +64,21 @@ impl JsonSchema for Real {
     }
 }
 
+/// A field that is a plain `f64` in the program, as `#[serde(with)]` takes it.
+pub mod plain {
+    use super::*;
+
+    /// Writes it as a [`Real`].
+    pub fn serialize<S: Serializer>(x: &f64, to: S) -> Result<S::Ok, S::Error> {
+        Real(*x).serialize(to)
+    }
+
+    /// Reads it as a [`Real`].
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+        Real::deserialize(from).map(|Real(x)| x)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

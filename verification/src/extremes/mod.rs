@@ -58,8 +58,13 @@ pub fn cases() -> Vec<Case> {
     GROUPS.iter().map(|group| group.case).collect()
 }
 
+/// The checks of lines, each claim with the scene that it is of: beside others it would not say which.
 fn checks(rows: Vec<Row>) -> Vec<Check> {
-    rows.into_iter().map(|row| row.check).collect()
+    let of = |Row { extreme, check, .. }: Row| {
+        let claim = format!("{extreme}: {}", check.claim);
+        Check { claim, ..check }
+    };
+    rows.into_iter().map(of).collect()
 }
 
 /// A line; `norm`, `measured`, `bound` and `reason` as in a [`Check`].

@@ -107,6 +107,14 @@ pub fn luminance(hex: &str) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
+/// (L₁ + 0.05) / (L₂ + 0.05), of the lighter over the darker (Web Content Accessibility Guidelines
+/// 2.2).
+#[cfg(test)]
+pub fn contrast(one: &str, other: &str) -> f64 {
+    let (a, b) = (luminance(one), luminance(other));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -116,13 +124,6 @@ mod tests {
     /// Of lines and marks, and of areas.
     fn lines_and_areas() -> (&'static [Colour], &'static [Colour]) {
         COLOURS.split_at(8)
-    }
-
-    /// (L₁ + 0.05) / (L₂ + 0.05), of the lighter over the darker (Web Content Accessibility
-    /// Guidelines 2.2).
-    fn contrast(one: &str, other: &str) -> f64 {
-        let (a, b) = (luminance(one), luminance(other));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
     const SCHEMES: [fn(Pair) -> &'static str; 2] = [|pair| pair.0, |pair| pair.1];

@@ -19,6 +19,8 @@ mod series;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
+#[cfg(test)]
+pub(crate) use colour::contrast;
 pub use map::{Map, map};
 pub use marks::Mark;
 pub use series::{Series, Style};

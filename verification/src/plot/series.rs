@@ -28,6 +28,8 @@ pub enum Style {
     MarkedDashed(Mark),
     /// An oblique cross for what did not succeed; one at +∞ stands at the top of the axes.
     Failed,
+    /// What the points go round, filled.
+    Area,
     /// Filled cells of a map around the points, of a size in the units of the axes.
     Cells {
         /// From left to right.
@@ -112,6 +114,9 @@ impl Series {
         };
         let places: Vec<Option<(f64, f64)>> = self.points.iter().map(place).collect();
         let marked: Vec<(f64, f64)> = places.iter().flatten().copied().collect();
+        if self.style == Style::Area {
+            return self.area(&marked);
+        }
         let strokes: Vec<&[Option<(f64, f64)>]> =
             places.split(Option::is_none).filter(|stroke| stroke.len() > 1).collect();
         self.lines(&strokes).into_iter().chain(self.marks(&marked)).collect()
@@ -122,6 +127,10 @@ impl Series {
         if let Style::Cells { .. } = self.style {
             let (top, low) = (y - 0.5 * height, y + 0.5 * height);
             return self.cells([((left, top), (right, low))].into_iter());
+        }
+        if self.style == Style::Area {
+            let (top, low) = (y - 0.3 * height, y + 0.3 * height);
+            return self.area(&[(left, top), (right, top), (right, low), (left, low)]);
         }
         let line = [Some((left, y)), Some((right, y))];
         let mark = self.marks(&[(0.5 * (left + right), y)]);
@@ -146,6 +155,17 @@ impl Series {
         let d: String = places.iter().map(|&at| outline(mark, at, radius)).collect();
         let width = if self.style == Style::Failed { 2.2 } else { 1.5 };
         Some(path(d, fill.colour(self.colour), (self.colour.hex().into(), width), None))
+    }
+
+    /// The area within corners.
+    fn area(&self, corners: &[(f64, f64)]) -> Vec<Primitive> {
+        let corner = |(k, (x, y)): (usize, &(f64, f64))| {
+            format!("{}{} {}", if k == 0 { 'M' } else { 'L' }, number(*x), number(*y))
+        };
+        let d: String = corners.iter().enumerate().map(corner).collect();
+        let fill = self.colour.hex().into();
+        let area = (!d.is_empty()).then(|| path(d + "z", fill, (Color::None, 0.0), None));
+        area.into_iter().collect()
     }
 
     /// Rectangles by their upper left and lower right corners, without seams where they meet.

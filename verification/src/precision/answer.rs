@@ -1,6 +1,7 @@
 //! The answer in one page: how accurate for how much work. Every number in it is of the record.
 
 mod avoid;
+pub mod wanted;
 
 use super::problems::Problem;
 use super::reading::Quantity;

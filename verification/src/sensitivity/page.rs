@@ -2,7 +2,7 @@
 
 use super::judge::{Judgement, judge};
 use super::matrix::{Matrix, Row};
-use crate::report::markdown::cell;
+use crate::report::words::cell;
 use crate::tables::markdown;
 
 /// The page.

@@ -5,6 +5,8 @@
 
 use std::io::{Cursor, Read};
 
+use crossfibre::result_file;
+use crossfibre_verification::cases::support::shipped;
 use crossfibre_verification::conform::{
     html, junit as conform_junit, record as conform, text::Text,
 };
@@ -17,7 +19,7 @@ use crossfibre_verification::golden::{Recomputed, embedded};
 use crossfibre_verification::precision::record::Record as WorkPrecision;
 use crossfibre_verification::precision::times::Times;
 use crossfibre_verification::record::Record;
-use crossfibre_verification::report::{junit, markdown};
+use crossfibre_verification::report::files;
 use crossfibre_verification::sweep::Point;
 use crossfibre_verification::sweep::folder::Folder;
 use crossfibre_verification::timing::program;
@@ -61,6 +63,7 @@ pub const READERS: &[Reader] = &[
     Reader { name: "conformance-report", seeds: none, read: conformance_report, memory: 1 << 20, share: 1.0 },
     Reader { name: "vectors", seeds: vectors, read: vector_file, memory: 1 << 21, share: 1.0 },
     Reader { name: "report", seeds: none, read: report, memory: 1 << 20, share: 1.0 },
+    Reader { name: "result", seeds: results, read: result, memory: LITTLE, share: 1.0 },
     Reader { name: "work-precision", seeds: none, read: work_precision, memory: LITTLE, share: 1.0 },
     Reader { name: "times", seeds: none, read: times, memory: LITTLE, share: 1.0 },
     Reader { name: "point", seeds: points, read: point, memory: LITTLE, share: 1.0 },
@@ -203,9 +206,28 @@ fn vector_file(bytes: &[u8], _: &[u8]) -> Result<(), String> {
 }
 
 fn report(bytes: &[u8], _: &[u8]) -> Result<(), String> {
-    let record = json::<Record>(bytes)?;
-    assert!(!markdown::render(&record).is_empty());
-    junit::render(&record).map(drop).map_err(|error| error.to_string())
+    let record = Record::read(text(bytes)?).map_err(|fault| fault.to_string())?;
+    assert_eq!(Record::read(&record.json()).as_ref(), Ok(&record));
+    assert!(files(&record).iter().all(|(_, text)| !text.is_empty()));
+    Ok(())
+}
+
+/// A run of a scene whose result is short.
+fn results() -> Vec<Vec<u8>> {
+    let of = |elements| {
+        let mut scene = shipped("unequal");
+        scene.primary.elements = elements;
+        let result = crossfibre::result::run(&scene, |_| ());
+        serde_json::to_vec(&result).expect("a result can be written")
+    };
+    vec![of(6), of(9)]
+}
+
+fn result(bytes: &[u8], _: &[u8]) -> Result<(), String> {
+    let result = result_file::read(text(bytes)?).map_err(|problem| problem.to_string())?;
+    let written = serde_json::to_string(&result).expect("a result that was read can be written");
+    assert_eq!(result_file::read(&written).as_ref(), Ok(&result));
+    Ok(())
 }
 
 fn work_precision(bytes: &[u8], _: &[u8]) -> Result<(), String> {

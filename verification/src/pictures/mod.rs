@@ -1,0 +1,94 @@
+//! The pictures of a report: those stored in `docs/`, which studies have drawn, and one that is drawn
+//! with the record. Each has its own ground, light and dark.
+
+mod energy;
+pub mod motion;
+mod stored;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Picture {
+    /// Its name in links.
+    pub id: String,
+    /// Where it stands in the report.
+    pub section: Section,
+    /// What stands over it.
+    pub title: String,
+    /// What it shows, and what to see in it.
+    pub caption: String,
+    /// The same for those who do not see it.
+    pub alt: String,
+    /// The drawing.
+    pub svg: String,
+}
+
+/// A part of the report that has pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Section {
+    /// The paper's figures, and the motion.
+    Figures,
+    /// Errors against work.
+    Cost,
+    /// Stable and unstable steps.
+    Stability,
+}
+
+/// Cases by their names or the beginnings of them, and the pictures that show what they are about. The
+/// first that fits counts.
+const OF_CASES: &[(&str, &[&str])] = &[
+    ("smith.", &["fig3-plateaus", "fig3"]),
+    ("axial.", &["stability-velocity"]),
+    ("courant.", &["stability-velocity"]),
+    ("stability.projectile", &["stability-mass"]),
+    ("stability.crossover", &["stability-slide", "stability-modulus"]),
+    ("stability.", &["stability-velocity"]),
+    ("crossover.inertia", &["stability-slide"]),
+    ("crossover.", &["fig3-plateaus", "fig4", "fig5", "fig6", "fig7"]),
+    ("projectile.", &["stability-mass"]),
+    ("energy.", &["energy"]),
+    ("motion.", &["xt", "xt-exact", "motion"]),
+    ("precision.cost", &["time"]),
+    ("precision.", &["work-single", "work-crossed", "work-unequal"]),
+];
+
+/// The pictures that show what a case is about.
+pub fn of_case(case: &str) -> Vec<String> {
+    let found = OF_CASES.iter().find(|(name, _)| case.starts_with(name));
+    found.map_or_else(Vec::new, |(_, ids)| ids.iter().map(|id| (*id).to_owned()).collect())
+}
+
+/// Every picture, in the order of the report.
+pub fn all() -> Vec<Picture> {
+    let mut pictures: Vec<Picture> = stored::PICTURES.iter().map(stored::Stored::picture).collect();
+    let after = pictures.iter().position(|p| p.id == "motion").map_or(pictures.len(), |at| at + 1);
+    pictures.insert(after, energy::picture());
+    pictures
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_picture_has_a_name_of_its_own_and_says_what_it_shows() {
+        let pictures = all();
+        let ids: BTreeSet<&str> = pictures.iter().map(|picture| picture.id.as_str()).collect();
+        assert_eq!(ids.len(), pictures.len());
+        for picture in &pictures {
+            assert!(picture.svg.starts_with("<svg ") && picture.svg.trim_end().ends_with("</svg>"));
+            assert!(picture.alt.len() > 40 && picture.alt != picture.caption, "{}", picture.id);
+            assert!(picture.svg.contains("prefers-color-scheme:dark"), "{}", picture.id);
+        }
+        for (case, shown) in OF_CASES {
+            assert!(shown.iter().all(|id| ids.contains(id)), "{case}");
+            assert!(crate::cases::all().iter().any(|known| known.id.starts_with(case)), "{case}");
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Which case catches which fault, as a picture and as a table.
+
+use maud::{Markup, html};
+
+use super::cases::place;
+use super::parts::{table, text, wide};
+use crate::record::Record;
+use crate::report::words::{count, visible};
+use crate::sensitivity::matrix::{Matrix, Row};
+
+/// How many faults some check notices.
+pub fn caught(matrix: &Matrix) -> usize {
+    matrix.faults.iter().filter(|row| !checks(matrix, row).is_empty()).count()
+}
+
+/// The checks that notice a fault.
+fn checks(matrix: &Matrix, row: &Row) -> Vec<usize> {
+    (0..matrix.checks.len()).filter(|&check| row.is_caught_by(matrix, check)).collect()
+}
+
+/// The cases of a matrix in their order.
+fn cases(matrix: &Matrix) -> Vec<&str> {
+    let mut cases: Vec<&str> = Vec::new();
+    for check in &matrix.checks {
+        if cases.last() != Some(&check.case.as_str()) && !cases.contains(&check.case.as_str()) {
+            cases.push(&check.case);
+        }
+    }
+    cases
+}
+
+/// How a case notices a fault.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Notice {
+    /// It does not.
+    No,
+    /// A check fails.
+    Fails,
+    /// It comes to no end.
+    Stops,
+}
+
+fn notice(matrix: &Matrix, row: &Row, case: &str) -> Notice {
+    if row.stopped.iter().any(|stopped| stopped == case) {
+        Notice::Stops
+    } else if row.caught_by.iter().any(|&k| matrix.checks.get(k).is_some_and(|c| c.case == case)) {
+        Notice::Fails
+    } else {
+        Notice::No
+    }
+}
+
+/// The picture and the tables, or that there are none.
+pub fn matrix(record: &Record) -> Markup {
+    let Some(matrix) = &record.sensitivity else {
+        return html! {
+            p { "This record does not say: the checks were not tried on planted faults when it was made." }
+        };
+    };
+    let (all, caught) = (matrix.faults.len(), caught(matrix));
+    let missed: Vec<&Row> =
+        matrix.faults.iter().filter(|row| checks(matrix, row).is_empty()).collect();
+    let idle: Vec<_> = matrix.idle().collect();
+    html! {
+        p { "A check that has never been seen to fail is no check. Each row is a fault that was planted, each column a "
+            "case that was run with it. " strong { (caught) " of " (count(all, "fault")) " are noticed" }
+            "; the quick set alone leaves " (matrix.missed_by_quick().count()) " unnoticed. Of "
+            (count(matrix.checks.len(), "check")) " " (idle.len()) " notice none." }
+        @if !missed.is_empty() {
+            h3 { "Noticed by none" }
+            ul { @for row in missed { li { code { (visible(&row.id)) } " " (visible(&row.what)) } } }
+        }
+        (picture(matrix))
+        (numbers(matrix))
+        @if !idle.is_empty() {
+            details { summary { (count(idle.len(), "check")) " that no planted fault moves" }
+                ul { @for column in idle { li { code { (visible(&column.case)) } " " (visible(&column.claim)) } } } }
+        }
+        @if !matrix.rewrites.is_empty() {
+            details { summary { (count(matrix.rewrites.len(), "rewrite")) " that must pass: the same in algebra" }
+                ul { @for row in &matrix.rewrites { li { code { (visible(&row.id)) } " " (visible(&row.what)) ": fails "
+                    (count(row.caught_by.len(), "check")) } } } }
+        }
+    }
+}
+
+/// Size of a cell, room for the names of faults and of cases, pixels.
+const CELL: usize = 11;
+const LEFT: usize = 250;
+const TOP: usize = 150;
+
+fn picture(matrix: &Matrix) -> Markup {
+    let cases = cases(matrix);
+    let (width, height) = (LEFT + CELL * cases.len() + 90, TOP + CELL * matrix.faults.len() + 4);
+    let label = format!(
+        "Matrix of {} and {}: a filled cell is a fault that the case notices",
+        count(matrix.faults.len(), "fault"),
+        count(cases.len(), "case")
+    );
+    wide(
+        "Faults by cases",
+        html! {
+            svg.matrix role="img" aria-label=(label) viewBox={ "0 0 " (width) " " (height) } width=(width) height=(height) {
+                @for (k, case) in cases.iter().enumerate() {
+                    @let x = LEFT + CELL * k + CELL / 2 + 3;
+                    text x=(x) y=(TOP - 6) transform={ "rotate(-60 " (x) " " (TOP - 6) ")" } { (visible(case)) }
+                }
+                @for (k, row) in matrix.faults.iter().enumerate() {
+                    @let y = TOP + CELL * k;
+                    @if k == 0 || matrix.faults[k - 1].group != row.group {
+                        line.grid x1="0" x2=(width - 90) y1=(y) y2=(y) {}
+                        text.group x="0" y=(y + CELL - 2) { (visible(&row.group)) }
+                    }
+                    text x=(LEFT - 8) y=(y + CELL - 2) text-anchor="end" { (short(&row.id)) }
+                    path.fails d=(cells(matrix, row, &cases, Notice::Fails, y)) {}
+                    path.stops d=(cells(matrix, row, &cases, Notice::Stops, y)) {}
+                }
+            }
+            p.key { span.box.fails {} " a check fails  " span.box.stops {} " the case comes to no end" }
+        },
+    )
+}
+
+/// A name that has room.
+fn short(name: &str) -> String {
+    let name = visible(name);
+    if name.chars().count() <= 34 {
+        name
+    } else {
+        name.chars().take(33).collect::<String>() + "…"
+    }
+}
+
+/// The cells of a row with one kind of notice, as a path.
+fn cells(matrix: &Matrix, row: &Row, cases: &[&str], of: Notice, y: usize) -> String {
+    let side = CELL - 1;
+    let at = cases.iter().enumerate().filter(|(_, case)| notice(matrix, row, case) == of);
+    at.map(|(k, _)| format!("M{} {y}h{side}v{side}h-{side}z", LEFT + CELL * k)).collect()
+}
+
+fn numbers(matrix: &Matrix) -> Markup {
+    let columns = [
+        ("fault", true),
+        ("group", true),
+        ("checks", false),
+        ("cases", true),
+        ("what is done instead", true),
+    ];
+    let cases = cases(matrix);
+    let row = |row: &Row| {
+        let noticing: Vec<&str> =
+            cases.iter().copied().filter(|case| notice(matrix, row, case) != Notice::No).collect();
+        vec![
+            html! { code { (visible(&row.id)) } },
+            text(&row.group),
+            html! { (checks(matrix, row).len()) },
+            html! { @for case in noticing { a href={ "#" (place(case)) } { (visible(case)) } " " } },
+            text(&row.what),
+        ]
+    };
+    html! {
+        details { summary { "The same as a table" }
+            (table("Faults and what notices them", &columns, matrix.faults.iter().map(row).collect())) }
+    }
+}

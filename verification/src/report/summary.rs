@@ -1,0 +1,133 @@
+//! The record in a few lines of Markdown, for the page of a CI job.
+
+use std::fmt::Write;
+
+use crate::claims::Finding;
+use crate::record::{CaseRecord, CheckRecord, Record};
+use crate::report::words::{advice, argument, bound, cell, count, line, number};
+
+/// The most failures that are told one by one.
+const MOST: usize = 20;
+
+/// The whole file.
+pub fn render(record: &Record) -> String {
+    let (all, passed) = record.tally();
+    let mut out = String::new();
+    let verdict = match (all, all - passed) {
+        (0, _) => "no check was run".into(),
+        (_, 0) => "all checks pass".into(),
+        (_, failed) => format!(
+            "{} not pass",
+            count(failed, "check") + if failed == 1 { " does" } else { " do" }
+        ),
+    };
+    let _ = writeln!(out, "## crossfibre {}: {verdict}\n", cell(&line(&record.version)));
+    let found = |finding| record.claims.iter().filter(|claim| claim.finding == finding).count();
+    let _ = writeln!(
+        out,
+        "**{passed} of {all} checks pass**, in {}. Of {} of the paper {} are reproduced, {} are not, {} cannot be \
+         decided. {} from the page in the ledger.\n",
+        count(record.cases.len(), "case"),
+        count(record.claims.len(), "claim"),
+        found(Finding::Reproduced),
+        found(Finding::NotReproduced),
+        found(Finding::Undecidable),
+        count(record.ledger.len(), "departure"),
+    );
+    failures(&mut out, record);
+    if let Some(matrix) = &record.sensitivity {
+        let caught = |row: &&crate::sensitivity::matrix::Row| {
+            (0..matrix.checks.len()).any(|check| row.is_caught_by(matrix, check))
+        };
+        let _ = writeln!(
+            out,
+            "{} of {} are noticed by some check; {} by none.\n",
+            matrix.faults.iter().filter(caught).count(),
+            count(matrix.faults.len(), "planted fault"),
+            count(matrix.idle().count(), "check")
+                + " that no fault moves, and faults that are noticed"
+        );
+    }
+    let _ = writeln!(
+        out,
+        "Made {} by {}, {} build for {}, source `{}`.\n",
+        cell(&line(&record.build.commit_in_words())),
+        cell(&line(&record.build.compiler)),
+        cell(&line(&record.build.profile)),
+        cell(&line(&record.build.target)),
+        cell(&line(&record.build.source)).replace('`', "'"),
+    );
+    out += "In full: `report.html` and `VALIDATION.md` of this job; how things are derived: \
+            [docs/exact](docs/exact); how to change them: [CONTRIBUTING.md](CONTRIBUTING.md).\n";
+    out
+}
+
+fn failures(out: &mut String, record: &Record) {
+    let troubles: Vec<(&CaseRecord, &CheckRecord)> = record
+        .cases
+        .iter()
+        .flat_map(|case| case.troubles().map(move |check| (case, check)))
+        .collect();
+    if troubles.is_empty() {
+        return;
+    }
+    *out += "| case | claim | measured | bound | what it is | what to do |\n|---|---|---|---|---|---|\n";
+    for (case, record) in troubles.iter().take(MOST) {
+        let check = &record.check;
+        let again = format!("crossfibre verify --filter {}", argument(&case.id));
+        let _ = writeln!(
+            out,
+            "| {} | {} | {} | {} | {} | {}: `{}` |",
+            cell(&case.id),
+            cell(&check.claim),
+            number(check.measured),
+            bound(check.bound),
+            record.verdict.words(),
+            advice(record.verdict),
+            cell(&again).replace('`', "'"),
+        );
+    }
+    if troubles.len() > MOST {
+        let _ = writeln!(out, "\nand {} more.", troubles.len() - MOST);
+    }
+    out.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::made_up::{self, HOSTILE};
+
+    #[test]
+    fn a_reader_learns_the_verdict_first_and_what_to_do() {
+        let passing = render(&made_up::passing());
+        assert!(passing.starts_with("## crossfibre 0.0.7: all checks pass\n"), "{passing}");
+        assert!(!passing.contains("--filter"));
+        let failing = render(&made_up::record());
+        assert!(failing.starts_with("## crossfibre 0.0.7: 5 checks do not pass\n"), "{failing}");
+        assert!(failing.contains("`crossfibre verify --filter a.troubled` |"), "{failing}");
+        assert!(failing.contains("set the tolerance by the error"), "{failing}");
+        assert!(failing.len() < 6000, "{}", failing.len());
+    }
+
+    #[test]
+    fn hostile_names_stay_in_their_cells() {
+        let text = render(&made_up::record());
+        for bad in ["<script", "](javascript", "\u{0}", "\u{202e}", HOSTILE] {
+            assert!(!text.contains(bad), "{bad:?} in {text}");
+        }
+        let rows = text.lines().filter(|line| line.starts_with('|'));
+        let cells = |row: &str| row.replace("\\\\", "").replace("\\|", "").matches('|').count();
+        assert!(rows.clone().count() >= 7);
+        assert!(rows.clone().all(|row| cells(row) == 7), "{text}");
+    }
+
+    #[test]
+    fn of_many_failures_the_first_are_told() {
+        let mut record = made_up::record();
+        let failed = record.cases[1].checks[1].clone();
+        record.cases[1].checks.extend(std::iter::repeat_n(failed, 40));
+        let text = render(&record);
+        assert!(text.contains("\nand 25 more.\n"), "{text}");
+    }
+}
