@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -16,6 +17,8 @@ use crate::report::words::{advice, bound};
 pub fn run(cases: &[Case], print_lines: bool) -> io::Result<Vec<CaseRecord>> {
     // Drawn on standard error, and only if that is a terminal.
     let bar = ProgressBar::new(cases.len() as u64).with_style(style());
+    // The seconds go on while a long case runs.
+    bar.enable_steady_tick(Duration::from_secs(1));
     let running = Mutex::new(Vec::new());
     let show = |change: &dyn Fn(&mut Vec<&'static str>)| {
         let mut running = held(&running);
