@@ -43,6 +43,7 @@ faults! {
     BalanceHalf "1-half" 1 "halves the mass, as if the node were an end";
     VelocitySign "2-sign" 2 "pushes the node away from the greater tension";
     VelocityTwice "2-twice" 2 "doubles A";
+    VelocityHalf "2-half" 2 "halves A";
     VelocityBehind "2-i-for-i+1" 2 "takes the tension before the node for that beyond it, and none before";
     VelocityForgotten "2-no-history" 2 "forgets the velocity of the step before";
     VelocityFlat "2-one-component" 2 "does not push along the last axis";
@@ -60,14 +61,14 @@ faults! {
     StrainSingle "4-single" 4 "keeps the length now in single precision";
     LengthBeforeSign "5-sign" 5 "adds the positions";
     LengthBeforeFlat "5-one-component" 5 "leaves the last component out";
-    LengthBeforeSum "5-sum" 5 "adds up the components";
+    LengthBeforeSum "5-sum" 5 "adds up the components, without their signs";
     LengthBeforeGreatest "5-greatest" 5 "takes the greatest component";
     LengthBeforeSquare "5-square" 5 "forgets the root";
     LengthOldNode "6-old-time-level" 6 "does not move the near node";
     LengthHalf "6-half-step" 6 "moves both nodes by half of v Δt";
     LengthSign "6-sign" 6 "moves the near node backwards";
     LengthFlat "6-one-component" 6 "leaves the last component out";
-    LengthSum "6-sum" 6 "adds up the components";
+    LengthSum "6-sum" 6 "adds up the components, with their signs";
     LengthSingle "6-single" 6 "keeps Δt in single precision";
     TensionTwice "7-twice" 7 "doubles the tension";
     TensionSign "7-sign" 7 "has the tension push";

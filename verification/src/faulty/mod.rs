@@ -138,6 +138,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
         match self.wrong {
             Wrong::VelocitySign => self.paper.eqn_2_velocity(before, a, here, ahead),
             Wrong::VelocityTwice => self.paper.eqn_2_velocity(before, S::two() * a, ahead, here),
+            Wrong::VelocityHalf => self.paper.eqn_2_velocity(before, S::half() * a, ahead, here),
             Wrong::VelocityBehind => self.paper.eqn_2_velocity(before, a, here, nothing),
             Wrong::VelocityFlat => self.paper.eqn_2_velocity(before, a, flat(ahead), flat(here)),
             Wrong::VelocitySingle => self.paper.eqn_2_velocity(before, single(a), ahead, here),
@@ -211,7 +212,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
             Wrong::LengthHalf => {
                 paper.eqn_6_length(x_ahead, v_ahead, x_here, v_here, S::half() * dt)
             }
-            Wrong::LengthSum => sum((x_ahead + v_ahead * dt) - (x_here + v_here * dt)),
+            Wrong::LengthSum => ((x_ahead + v_ahead * dt) - (x_here + v_here * dt)).sum(),
             Wrong::LengthSingle => paper.eqn_6_length(x_ahead, v_ahead, x_here, v_here, single(dt)),
             Wrong::LengthSign => paper.eqn_6_length(x_ahead, v_ahead, x_here, -v_here, dt),
             Wrong::LengthFlat => {
