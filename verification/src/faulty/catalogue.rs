@@ -74,7 +74,7 @@ faults! {
     TensionSign "7-sign" 7 "has the tension push";
     TensionSquare "7-square" 7 "squares the strain";
     TensionDigits "7-digits" 7 "takes 56.8 for 58.6 GPa";
-    TensionSingle "7-single" 7 "keeps the modulus in single precision";
+    TensionSingle "7-single" 7 "keeps the tension in single precision";
     ProjectileTime "8-t-for-dt" 8 "takes t for Δt";
     ProjectileSign "8-sign" 8 "pushes the projectile on";
     ProjectileHalf "8-one-half" 8 "leaves out the factor 2 of the two halves";

@@ -224,17 +224,13 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
 
     #[inline(always)]
     fn eqn_7_tension(&self, stiffness: S, strain: S) -> S {
-        match self.wrong {
-            Wrong::TensionSingle => self.paper.eqn_7_tension(single(stiffness), strain),
-            _ => self.of_tension(self.paper.eqn_7_tension(stiffness, strain), strain),
-        }
+        let right = self.paper.eqn_7_tension(stiffness, strain);
+        self.of_tension(right, strain)
     }
 
     fn eqn_7_tension_by_law(&self, area: S, by: StressByLaw<'_, S>) -> S {
-        match self.wrong {
-            Wrong::TensionSingle => self.paper.eqn_7_tension_by_law(single(area), by),
-            _ => self.of_tension(self.paper.eqn_7_tension_by_law(area, by), by.strain),
-        }
+        let right = self.paper.eqn_7_tension_by_law(area, by);
+        self.of_tension(right, by.strain)
     }
 
     fn eqn_8_projectile_velocity(&self, push: ProjectilePush<S>) -> S {
@@ -430,6 +426,7 @@ impl<P> Faulty<'_, P> {
     fn of_tension<S: Number>(&self, right: S, strain: S) -> S {
         match self.wrong {
             Wrong::TensionSquare => right * strain,
+            Wrong::TensionSingle => single(right),
             Wrong::TensionDigits => right * S::from_f64(56.8 / 58.6),
             Wrong::TensionTwice => S::two() * right,
             Wrong::TensionSign => -right,
