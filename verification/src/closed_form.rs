@@ -76,13 +76,13 @@ pub fn component(scene: &Scene, strain: ExactStrain) -> f64 {
 /// The struck fibre.
 pub fn primary(fibre: &Primary) -> Fibre {
     let modulus = fibre.material.instantaneous_modulus();
-    Fibre { modulus, density: fibre.density, area: fibre.area }
+    oracle::fibre(Fibre { modulus, density: fibre.density, area: fibre.area })
 }
 
 /// The crossing fibre.
 pub fn secondary(fibre: &Secondary) -> Fibre {
     let modulus = fibre.material.instantaneous_modulus();
-    Fibre { modulus, density: fibre.density, area: fibre.area }
+    oracle::fibre(Fibre { modulus, density: fibre.density, area: fibre.area })
 }
 
 /// The whole scene, for the motion at any time; its projectile's mass is apart.

@@ -15,6 +15,7 @@ pub(crate) mod materials;
 mod motion;
 mod precision;
 mod projectile;
+mod record;
 mod smith;
 mod stability;
 pub mod support;
@@ -190,6 +191,7 @@ pub fn all() -> Vec<Case> {
         conformance::CASES,
         golden::CASES,
         precision::CASES,
+        record::CASES,
         &extremes::cases(),
     ]
     .concat()

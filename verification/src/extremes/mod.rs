@@ -88,7 +88,7 @@ fn row(
 /// # Panics
 /// If it does not: a fault of this program.
 fn run(scene: &Scene) -> RunResult {
-    if let Err(problem) = scene.check() {
+    if let Err(problem) = planted::check(scene) {
         panic!("{problem}");
     }
     planted::run(scene, |_| {})
@@ -96,7 +96,7 @@ fn run(scene: &Scene) -> RunResult {
 
 /// What the check of a scene says.
 fn verdict(scene: &Scene) -> String {
-    scene.check().map_or_else(
+    planted::check(scene).map_or_else(
         |problem| format!("refused: {}: {}", problem.path, problem.message),
         |()| "accepted".into(),
     )
@@ -104,7 +104,7 @@ fn verdict(scene: &Scene) -> String {
 
 /// 1 if the check of a scene refuses it.
 fn refused(scene: &Scene) -> f64 {
-    f64::from(u8::from(scene.check().is_err()))
+    f64::from(u8::from(planted::check(scene).is_err()))
 }
 
 /// What the program says of several runs: the kinds of outcome, and how often each.

@@ -7,6 +7,7 @@ use super::{Group, Row, checks, row, run};
 use crate::cases::invariance::rescaled;
 use crate::cases::support::shipped;
 use crate::cases::{Bound, Case};
+use crate::planted::check;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -85,7 +86,7 @@ fn line(name: &str, scene: &Scene) -> Row {
             let powers = move |n: i32| [a, b, c].map(|k| sign * k * n);
             let accepted = |n: &i32| {
                 let [a, b, c] = powers(*n);
-                rescaled(scene, a, b, c).check().is_ok()
+                check(&rescaled(scene, a, b, c)).is_ok()
             };
             let last = (1..=1100).take_while(accepted).last().unwrap_or(0);
             // Accepted again farther out there must be none.

@@ -138,6 +138,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
         match self.wrong {
             Wrong::VelocitySign => self.paper.eqn_2_velocity(before, a, here, ahead),
             Wrong::VelocityTwice => self.paper.eqn_2_velocity(before, S::two() * a, ahead, here),
+            Wrong::VelocityHalf => self.paper.eqn_2_velocity(before, S::half() * a, ahead, here),
             Wrong::VelocityBehind => self.paper.eqn_2_velocity(before, a, here, nothing),
             Wrong::VelocityFlat => self.paper.eqn_2_velocity(before, a, flat(ahead), flat(here)),
             Wrong::VelocitySingle => self.paper.eqn_2_velocity(before, single(a), ahead, here),
@@ -211,7 +212,7 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
             Wrong::LengthHalf => {
                 paper.eqn_6_length(x_ahead, v_ahead, x_here, v_here, S::half() * dt)
             }
-            Wrong::LengthSum => sum((x_ahead + v_ahead * dt) - (x_here + v_here * dt)),
+            Wrong::LengthSum => ((x_ahead + v_ahead * dt) - (x_here + v_here * dt)).sum(),
             Wrong::LengthSingle => paper.eqn_6_length(x_ahead, v_ahead, x_here, v_here, single(dt)),
             Wrong::LengthSign => paper.eqn_6_length(x_ahead, v_ahead, x_here, -v_here, dt),
             Wrong::LengthFlat => {
@@ -223,17 +224,13 @@ impl<S: Number, P: Paper<S>> Paper<S> for Faulty<'_, P> {
 
     #[inline(always)]
     fn eqn_7_tension(&self, stiffness: S, strain: S) -> S {
-        match self.wrong {
-            Wrong::TensionSingle => self.paper.eqn_7_tension(single(stiffness), strain),
-            _ => self.of_tension(self.paper.eqn_7_tension(stiffness, strain), strain),
-        }
+        let right = self.paper.eqn_7_tension(stiffness, strain);
+        self.of_tension(right, strain)
     }
 
     fn eqn_7_tension_by_law(&self, area: S, by: StressByLaw<'_, S>) -> S {
-        match self.wrong {
-            Wrong::TensionSingle => self.paper.eqn_7_tension_by_law(single(area), by),
-            _ => self.of_tension(self.paper.eqn_7_tension_by_law(area, by), by.strain),
-        }
+        let right = self.paper.eqn_7_tension_by_law(area, by);
+        self.of_tension(right, by.strain)
     }
 
     fn eqn_8_projectile_velocity(&self, push: ProjectilePush<S>) -> S {
@@ -429,6 +426,7 @@ impl<P> Faulty<'_, P> {
     fn of_tension<S: Number>(&self, right: S, strain: S) -> S {
         match self.wrong {
             Wrong::TensionSquare => right * strain,
+            Wrong::TensionSingle => single(right),
             Wrong::TensionDigits => right * S::from_f64(56.8 / 58.6),
             Wrong::TensionTwice => S::two() * right,
             Wrong::TensionSign => -right,

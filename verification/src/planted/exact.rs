@@ -10,6 +10,7 @@ use crossfibre::number::Number;
 faults! {
     SmithLaw "exact-smith-law" "takes T = E (λ - 1) for T = E ln λ in Smith's relation";
     SmithSmall "exact-smith-small" "takes Smith's relation for its limit of small strain";
+    Density "exact-density" "takes the usual 1440 kg/m³ for the density of a fibre";
     KinkInSpace "exact-kink-in-space" "gives the kink's speed in space for that along the unstrained fibre";
     FrontForTail "exact-front-for-tail" "gives the speed of a wave's first disturbance for that of its last";
     CrossoverLaw "exact-crossover-law" "takes T = E (λ - 1) for T = E ln λ at the crossover";

@@ -18,6 +18,7 @@ faults! {
     ViscoelasticArm "material-viscoelastic-arm" "leaves out what the last arm carries";
     ViscoelasticHalfLife "material-viscoelastic-half-life" "takes relaxation times for half-lives";
     ViscoelasticLiteral "material-viscoelastic-literal" "steps the arms by forward differences";
+    ViscoelasticExact "material-viscoelastic-exact" "updates arms exactly where forward differences are asked for";
     EyringRate "material-eyring-rate" "leaves out the ½ of the hyperbolic sine";
     EyringStress "material-eyring-stress" "doubles the stress in the hyperbolic sine";
     EyringLiteral "material-eyring-literal" "steps the arm by forward differences";
@@ -26,6 +27,7 @@ faults! {
     SlackLeaks "material-slack-leaks" "lets a slack fibre bear a hundredth of the compression";
     ViscosityLinear "material-viscosity-linear" "halves the linear artificial viscosity";
     ViscosityQuadratic "material-viscosity-quadratic" "leaves out the quadratic artificial viscosity";
+    Unchecked "material-unchecked" "takes any number for a parameter of a scene";
     StoredTwice "material-stored-twice" "forgets the ½ of the stored energy";
     DissipatedTwice "material-dissipated-twice" "books what is dissipated twice";
     DissipatedNot "material-dissipated-not" "forgets what is dissipated";
@@ -110,6 +112,9 @@ impl Wrong {
             }
             (Self::ViscoelasticLiteral, scene::Law::Viscoelastic { update, .. }) => {
                 *update = Update::Literal;
+            }
+            (Self::ViscoelasticExact, scene::Law::Viscoelastic { update, .. }) => {
+                *update = Update::Exact;
             }
             (Self::EyringRate, scene::Law::Eyring { rate, .. }) => *rate *= 2.0,
             (Self::EyringStress, scene::Law::Eyring { stress, .. }) => *stress *= 0.5,

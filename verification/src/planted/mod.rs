@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | equations | [`crate::faulty`] | [`with_paper`], [`edition()`] |
 //! | march | [`march`] | [`march::run`], [`march::step`], [`march::wide`] |
-//! | materials | [`material`] | [`at_impact`] |
+//! | materials | [`material`] | [`at_impact`], [`check`] |
 //! | exact solutions | [`exact`] | [`crate::oracle`] |
 //! | stored record | [`record`] | [`crate::precision::stored`] |
 
@@ -50,6 +50,7 @@ use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
 use crossfibre::result::{self, Marcher, RunResult, WithPaper};
 use crossfibre::scene::Scene;
+use crossfibre::scene_check::Problem;
 use crossfibre::state::{State, Wavefront};
 
 pub use catalogue::{Fault, Group, Plant, Refused, all, now, plant, rewrites};
@@ -71,6 +72,14 @@ pub fn at_impact<S: Number>(scene: &Scene, wavefront: Wavefront) -> State<S> {
         wrong.put_into(scene, &mut state);
     }
     state
+}
+
+/// As [`Scene::check`].
+pub fn check(scene: &Scene) -> Result<(), Problem> {
+    match now() {
+        Some(Plant::Material(material::Wrong::Unchecked)) => Ok(()),
+        _ => scene.check(),
+    }
 }
 
 /// As [`crossfibre::result::run`], by [`crate::wide`].

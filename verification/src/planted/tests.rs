@@ -142,7 +142,10 @@ fn every_fault_of_the_march_and_of_the_materials_changes_a_run() {
             assert!(changes(InPlainWords(Some(wrong), None)), "{wrong:?}");
         }
     }
-    for &wrong in material::Wrong::ALL {
+    // What is not looked at does no harm to a scene that is right, and none of these asks for forward
+    // differences.
+    let harmless = [material::Wrong::Unchecked, material::Wrong::ViscoelasticExact];
+    for &wrong in material::Wrong::ALL.iter().filter(|wrong| !harmless.contains(wrong)) {
         assert!(changes(InPlainWords(None, Some(wrong))), "{wrong:?}");
     }
 }

@@ -10,9 +10,9 @@ use crate::convergence::{
     Extrapolation, Rule, Safety, Verdict, fitted_limit, of_values, richardson,
 };
 use crate::figures::points::mean_over;
+use crate::planted;
 use crate::precision::orders::{BAND, LEVEL, ROUNDING};
 use crate::precision::{Problem, Quantity, Record, ladders};
-use crate::wide;
 
 const VARIANT: &str = "engineering, α = 1";
 
@@ -146,7 +146,7 @@ fn softening(refinement: usize) -> (f64, [f64; 2]) {
     scene.duration = 100.0 * Discretisation::<f64>::of(&scene).time_step;
     let scene = refined(scene, refinement);
     let length = [scene.primary.length, scene.secondary.as_ref().map_or(f64::NAN, |s| s.length)];
-    let result = wide::run(&scene, |_| ());
+    let result = planted::run(&scene, |_| ());
     let across = result.secondary.map(|fibre| fibre.strain).unwrap_or_default();
     let means = [
         mean_over(length[0], &result.primary.strain, (0.0, length[0])),

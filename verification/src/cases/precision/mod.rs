@@ -8,6 +8,7 @@ mod record;
 mod split;
 
 use super::Case;
+pub(in crate::cases) use orders::whole_ladder;
 
 /// The cases of this folder.
 pub const CASES: &[Case] = &[

@@ -4,6 +4,7 @@ use crossfibre::exact::viscoelastic::PulledRod;
 
 use crate::cases::support::{check, order, relative};
 use crate::cases::{Bound, Check};
+use crate::oracle::rod_at;
 use crate::precision::exact::rod;
 use crate::precision::orders::ROUNDING;
 use crate::precision::split::{Rest, SPLIT, Split};
@@ -145,7 +146,7 @@ fn path(record: &Record) -> Option<Check> {
     for k in 0..CELLS {
         let x = (k as f64 + 0.5) / CELLS as f64 * front;
         let (jump, now) =
-            (solution.front(x).strain, solution.at(x, run.scene.duration).ok()?.strain);
+            (solution.front(x).strain, rod_at(&solution, x, run.scene.duration).ok()?.strain);
         deficit += 0.5 * (now * now - jump * jump);
         strain += now;
     }

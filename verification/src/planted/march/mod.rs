@@ -37,6 +37,9 @@ faults! {
     IndexAhead "march-ix-ahead" "assigns ix to the node beyond the nearest";
     FlagsShort "march-flags-short" "leaves the far node of the last visited element at rest";
     FlagsLate "march-flags-late" "visits an element one step late";
+    OriginSwapped "march-origin-swapped" "takes x and y for each other in the secondary where both are struck";
+    FlagsNone "march-flags-none" "visits every element in every step";
+    OneStepLess "march-one-step-less" "ends a run one step early";
     OneFibreSlows "march-one-fibre-slows" "slows the projectile by the primary alone where both are struck";
     WorkBefore "march-work-before" "books the work of a step by the force before it";
 }
@@ -93,6 +96,7 @@ pub fn run_in_plain_words<S: Number>(
     watch: &mut dyn FnMut(&State<S>),
     wrong: Option<Wrong>,
 ) -> Outcome {
+    let steps = if wrong == Some(Wrong::OneStepLess) { steps.saturating_sub(1) } else { steps };
     for _ in 0..steps {
         if let Err(outcome) = step_in_plain_words(paper, state, wrong) {
             return outcome;
@@ -117,6 +121,9 @@ pub fn step_in_plain_words<S: Number>(
     let drive = state.projectile.axis * state.projectile.velocity;
     if is(Wrong::ProjectileFirst) {
         push_projectile(paper, state, wrong)?;
+    }
+    if is(Wrong::FlagsNone) {
+        state.primary.visited = state.primary.elements();
     }
     let mut stays = Ok(());
 
@@ -171,7 +178,9 @@ pub fn step_in_plain_words<S: Number>(
         along(Fibre::Primary).march(paper, &mut state.primary, drive, &|_, _, _| None)?;
         if let Some(crossover) = &mut state.crossover {
             paper.at(Place { step, fibre: Fibre::Secondary, index: 0 });
-            let drive = Vector::<S, 3>::new(drive.x, drive.y, paper.eqn_14_secondary_w());
+            let (x, y) =
+                if is(Wrong::OriginSwapped) { (drive.y, drive.x) } else { (drive.x, drive.y) };
+            let drive = Vector::<S, 3>::new(x, y, paper.eqn_14_secondary_w());
             along(Fibre::Secondary).march(paper, &mut crossover.fibre, drive, &|_, _, _| None)?;
         }
         if !is(Wrong::ProjectileFirst) {
