@@ -183,7 +183,9 @@ mod tests {
         let line = 1 + text[..text.find("\"clams\"").unwrap()].matches('\n').count();
         assert!(message.starts_with(&format!("line {line}, column ")), "{message}");
         let text = made_up::record().json().replacen("\"norm\"", "\"nrm\"", 1);
-        assert!(said(&text).contains("nrm"), "{}", said(&text));
+        assert!(said(&text).contains("missing field `norm`"), "{}", said(&text));
+        let text = made_up::record().json().replacen("\"verdict\"", "\"extra\": 7, \"verdict\"", 1);
+        assert!(said(&text).contains("unknown field `extra`"), "{}", said(&text));
     }
 
     #[test]

@@ -37,7 +37,7 @@ fn status(case: &CaseRecord, check: &CheckRecord) -> TestCaseStatus {
     let kind = check.verdict.words();
     let c = &check.check;
     status.set_type(kind);
-    status.set_message(format!("{:e} is {kind}: {}", c.measured, bound(c.bound)));
+    status.set_message(format!("{:e}, bound {}: {kind}", c.measured, bound(c.bound)));
     status.set_description(visible(&format!(
         "oracle: {}\nnorm: {}\nreason of the bound: {}\nto do: {}\nagain: crossfibre verify --filter {}",
         c.oracle,
@@ -59,7 +59,7 @@ mod tests {
         let record = made_up::record();
         let (all, passed) = record.tally();
         let xml = render(&record);
-        let head = format!("tests=\"{all}\" failures=\"{}\"", all - passed);
+        let head = format!("tests=\"{all}\" skipped=\"0\" failures=\"{}\"", all - passed);
         assert!(xml.contains(&head), "{xml}");
         assert!(xml.contains("&lt;script&gt;alert(1)&lt;/script&gt; &quot;&amp;"), "{xml}");
         for bad in ["<script", "]]>", "-->", "\u{0}", "\u{1b}", "\u{202e}"] {

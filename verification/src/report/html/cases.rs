@@ -52,7 +52,7 @@ fn one(record: &Record, case: &CaseRecord, is_open: bool) -> Markup {
                 strong class={ "tag " (tone) } { (passed) " of " (case.checks.len()) }
             }
             div.fold {
-                (facts(case))
+                (facts(record, case))
                 (catches(record, case))
                 ol.checks {
                     @for check in case.troubles() { (one_check(case, check)) }
@@ -65,7 +65,8 @@ fn one(record: &Record, case: &CaseRecord, is_open: bool) -> Markup {
     }
 }
 
-fn facts(case: &CaseRecord) -> Markup {
+fn facts(record: &Record, case: &CaseRecord) -> Markup {
+    let shown = record.pictures.iter().filter(|picture| case.pictures.contains(&picture.id));
     let again = format!("crossfibre verify --filter {}", argument(&case.id));
     let quick = if case.quick { "part of" } else { "not part of" };
     html! {
@@ -78,7 +79,9 @@ fn facts(case: &CaseRecord) -> Markup {
             dd { code { (again) } ", " (duration(case.seconds)) ", " (quick) " " code { "verify --quick" } }
             @if !case.pictures.is_empty() {
                 dt { "pictures" }
-                dd { @for id in &case.pictures { (link(id, &format!("#picture-{}", anchor(id)))) " " } }
+                dd { @for picture in shown {
+                    (link(&picture.title, &format!("#picture-{}", anchor(&picture.id)))) br;
+                } }
             }
             dt { "head-room" } dd { (strip(case)) }
         }
