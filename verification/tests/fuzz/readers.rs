@@ -63,7 +63,7 @@ pub const READERS: &[Reader] = &[
     Reader { name: "report", seeds: none, read: report, memory: 1 << 20, share: 1.0 },
     Reader { name: "work-precision", seeds: none, read: work_precision, memory: LITTLE, share: 1.0 },
     Reader { name: "times", seeds: none, read: times, memory: LITTLE, share: 1.0 },
-    Reader { name: "point", seeds: points, read: point, memory: LITTLE, share: 1.0 },
+    Reader { name: "point", seeds: points, read: point, memory: LITTLE, share: 0.1 },
     Reader { name: "timed-program", seeds: none, read: timed_program, memory: LITTLE, share: 1.0 },
 ];
 
