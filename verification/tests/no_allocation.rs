@@ -1,11 +1,13 @@
-//! A time step allocates nothing.
+//! A time step allocates nothing, and a run what its scene is refused for if it is too much.
 
 #![allow(clippy::unwrap_used)] // a test may
 
 use crossfibre::march;
 use crossfibre::paper::Paper;
-use crossfibre::result::{WithPaper, with_paper};
+use crossfibre::plan::Plan;
+use crossfibre::result::{self, WithPaper, with_paper};
 use crossfibre::scene::Scene;
+use crossfibre::scene_check::MAX_MEMORY;
 use crossfibre::scene_file;
 use crossfibre::state::{State, Wavefront};
 use crossfibre::trace::{Event, Traced};
@@ -55,5 +57,49 @@ fn two_hundred_steps_allocate_nothing() {
     ] {
         let scene = scene_file::read(text).unwrap();
         assert_eq!(with_paper(&scene, Allocations(&scene)), [0; 3], "{}", scene.title);
+    }
+}
+
+/// The memory of a run, bytes for each element of its fibres, all of one number.
+fn measured(mut scene: Scene, elements: usize) -> f64 {
+    let plan = Plan::of(&with(&scene, elements));
+    scene.duration = 5.0 * plan.time_step;
+    let scene = with(&scene, elements);
+    let run = || assert_eq!(result::run(&scene, |_| ()).steps, 5);
+    allocation_counter::measure(run).bytes_max as f64 / elements as f64
+}
+
+fn with(scene: &Scene, elements: usize) -> Scene {
+    let mut scene = scene.clone();
+    scene.primary.elements = elements;
+    scene.secondary.iter_mut().for_each(|secondary| secondary.elements = elements);
+    scene
+}
+
+#[test]
+fn a_run_takes_the_memory_that_its_scene_is_refused_for() {
+    for text in [
+        include_str!("../scenes/single-400.json"),
+        include_str!("../scenes/fig3.json"),
+        include_str!("../scenes/viscoelastic.json"),
+    ] {
+        let scene = scene_file::read(text).unwrap();
+        // The most elements that pass.
+        let (mut passes, mut refused) = (1000, 1_000_000_000);
+        while refused - passes > 1 {
+            let middle = (passes + refused) / 2;
+            match with(&scene, middle).check() {
+                Ok(()) => passes = middle,
+                Err(problem) => {
+                    assert!(problem.message.contains("GB of memory"), "{problem}");
+                    refused = middle;
+                }
+            }
+        }
+        let counted = MAX_MEMORY / passes as f64;
+        let ratio = measured(scene.clone(), 30_000) / counted;
+        // A node more than elements, and lists that every run has: below a per cent at this size. The
+        // lower bound leaves room for a law's lists of one block.
+        assert!((0.95..1.02).contains(&ratio), "{}: {ratio}", scene.title);
     }
 }

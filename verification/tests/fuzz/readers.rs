@@ -66,7 +66,7 @@ pub const READERS: &[Reader] = &[
     Reader { name: "result", seeds: results, read: result, memory: LITTLE, share: 1.0 },
     Reader { name: "work-precision", seeds: none, read: work_precision, memory: LITTLE, share: 1.0 },
     Reader { name: "times", seeds: none, read: times, memory: LITTLE, share: 1.0 },
-    Reader { name: "point", seeds: points, read: point, memory: LITTLE, share: 1.0 },
+    Reader { name: "point", seeds: points, read: point, memory: LITTLE, share: 0.1 },
     Reader { name: "timed-program", seeds: none, read: timed_program, memory: LITTLE, share: 1.0 },
 ];
 

@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::cases::support::check;
 use crate::cases::{Bound, Check};
 use crate::precision::stored::{differences, stored};
-use crate::precision::{Problem, QUICK, Record, Task, tasks, variants::Precision};
+use crate::precision::{FINEST, Problem, QUICK, Record, Task, tasks, variants::Precision};
 
 /// What is run again. Runs in 106 bits take fifty times as long, and the exact solutions of the unequal
 /// fibres and of the rod take longer than the runs.
