@@ -38,7 +38,8 @@ pub struct Plan {
     pub corrections: Vec<&'static str>,
     /// All twenty equations.
     pub equations: Vec<EquationPlan>,
-    /// Element-steps at the most, elements ahead of the front left out.
+    /// Element-steps at the most, elements ahead of the front left out; more if the crossover slides past
+    /// the front.
     pub element_steps: f64,
     /// Memory of the state, bytes.
     pub memory: f64,

@@ -292,6 +292,9 @@ pub fn junction<M: Elastic>(
             }
             let Some(inverse) = slope(&best).try_inverse() else { return Ok(best) };
             let step = -(inverse * unbalanced);
+            if !step.iter().all(|part| part.is_finite()) {
+                return Err(RiemannError::BeyondTheLaw);
+            }
             let (mut part, mut within) = (step, Ok(()));
             // The step, or the first of its halves after which, within the laws, the same matrix
             // asks for less. The force itself may have to grow on the way: its size changes much

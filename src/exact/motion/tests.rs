@@ -121,3 +121,20 @@ fn a_mean_difference_counts_pieces_that_end_apart() {
     }
     assert_eq!(mean_difference(&a, &a), 0.0);
 }
+
+/// Such a scene passes its check; the velocities that its junction asks for are beyond all numbers.
+#[test]
+fn a_secondary_beyond_all_measure_ends_the_motion_and_not_the_program() {
+    for (modulus, density) in [(58.6e9, 1e100), (58.6e9, 1.3e59), (1e-15, 987.0), (1e-100, 987.0)] {
+        for law in [Law::Logarithmic, Law::Engineering] {
+            let mut problem = problem(law);
+            if let Some(across) = &mut problem.secondary {
+                across.fibre.material.fibre.modulus = modulus;
+                across.fibre.material.fibre.density = density;
+            }
+            let solved = motion(&problem, None, 28.7e-6);
+            let told = solved.ended.is_some() || solved.error_bound.is_finite();
+            assert!(told, "{modulus:e}, {density:e}: {:?}", solved.ended);
+        }
+    }
+}
