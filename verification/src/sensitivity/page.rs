@@ -62,10 +62,10 @@ fn head(matrix: &Matrix) -> String {
 
 Written by
 
-    crossfibre verify --sensitivity --out docs/sensitivity
+    crossfibre verify --sensitivity --quick --out docs/sensitivity
 
 Each fault below is something that can go wrong when equations are copied from a page, when the march is put
-together, when a law or an exact solution is worked out. It is planted, all {} checks are run, and those that no
+together, when a law or an exact solution is worked out. It is planted, the {} quick checks are run, and those that no
 longer pass have noticed it. The whole matrix is [matrix.json](matrix.json).
 ",
         matrix.checks.len()
