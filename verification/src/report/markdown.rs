@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::cases::{HEAD_ROOM, Verdict};
 use crate::claims::Finding;
 use crate::ledger_effects::{CrossoverRow, Effects};
+use crate::sensitivity::{judge::judge, page};
 use crate::record::{CheckRecord, Record};
 use crate::report::words::{count, equations, head_room, line, visible};
 
@@ -27,6 +28,7 @@ pub fn render(record: &Record) -> String {
     ledger(&mut out, record);
     effects(&mut out, &record.effects);
     checks(&mut out, record);
+    sensitivity(&mut out, record);
     worked(&mut out, record);
     scenes(&mut out, record);
     out
@@ -214,6 +216,19 @@ fn check_row(out: &mut String, case: &str, record: &CheckRecord) {
         head_room(check),
         cell(&check.reason)
     );
+}
+
+fn sensitivity(out: &mut String, record: &Record) {
+    let Some(matrix) = &record.sensitivity else { return };
+    put!(out, "## What the checks notice\n");
+    put!(
+        out,
+        "Faults that were planted, part by part of the program, and how many of them make a check fail: \
+         [docs/sensitivity](docs/sensitivity/README.md) names each, `crossfibre verify --sensitivity` plants \
+         them again.\n"
+    );
+    put!(out, "{}", page::groups(matrix));
+    put!(out, "{}", page::judgement(&judge(matrix)));
 }
 
 fn worked(out: &mut String, record: &Record) {
