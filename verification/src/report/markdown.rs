@@ -5,9 +5,9 @@ use std::fmt::Write;
 use crate::cases::{HEAD_ROOM, Verdict};
 use crate::claims::Finding;
 use crate::ledger_effects::{CrossoverRow, Effects};
-use crate::sensitivity::{judge::judge, page};
 use crate::record::{CheckRecord, Record};
 use crate::report::words::{count, equations, head_room, line, visible};
+use crate::sensitivity::{judge::judge, page};
 
 pub use crate::report::words::{bound, cell, number};
 

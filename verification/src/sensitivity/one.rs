@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::cases::{Case, Verdict};
+use crate::planted::{self, Group};
 
 /// A case that has said nothing for so long goes on for ever. Without a fault the slowest takes 3 s.
 const PATIENCE: Duration = Duration::from_secs(300);
@@ -31,11 +32,17 @@ pub struct Said {
 
 impl Said {
     fn by(case: &Case) -> Self {
+        let stands = |verdict| match verdict {
+            Verdict::Passed => true,
+            // Errors of rounding are others where the words are, and may well be smaller.
+            Verdict::Loose => is_rewritten(),
+            _ => false,
+        };
         let checks = (case.run)()
             .into_iter()
             .map(|check| {
-                let stands = check.verdict() == Verdict::Passed;
-                (check.claim, stands)
+                let verdict = check.verdict();
+                (check.claim, stands(verdict))
             })
             .collect();
         Self { case: case.id.into(), checks }
@@ -45,6 +52,11 @@ impl Said {
     pub fn stands(&self, claim: &str) -> bool {
         self.checks.iter().any(|(said, stands)| said == claim && *stands)
     }
+}
+
+/// Whether what is planted is no fault but the same in other words.
+fn is_rewritten() -> bool {
+    planted::now().is_some_and(|plant| plant.entry().group == Group::Rewrite)
 }
 
 /// Runs cases on all cores and tells of each that comes to its end.
