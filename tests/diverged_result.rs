@@ -89,12 +89,12 @@ fn a_diverged_result_holds_no_null_in_its_arrays_and_parses() {
     for scene in overflowing() {
         let text = serde_json::to_string(&result::run(&scene, |_| ())).unwrap();
         let json: Value = serde_json::from_str(&text).unwrap();
-        // x, y of positions and velocities at 151 nodes, strain and tension of 150 elements.
-        assert_eq!(numbers(&json["primary"]), 2 * 2 * 151 + 2 * 150);
+        // x, y of positions and velocities at 151 nodes, strain and tension of 150 elements, their length.
+        assert_eq!(numbers(&json["primary"]), 2 * 2 * 151 + 2 * 150 + 1);
         assert_eq!(numbers(&json["projectile"]), 2);
         if scene.secondary.is_some() {
             // The same with z, at 101 nodes and 100 elements.
-            assert_eq!(numbers(&json["secondary"]), 2 * 3 * 101 + 2 * 100);
+            assert_eq!(numbers(&json["secondary"]), 2 * 3 * 101 + 2 * 100 + 1);
             assert_eq!(numbers(&json["crossover"]), 3);
         }
     }

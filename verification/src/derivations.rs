@@ -76,6 +76,7 @@ const PAGES: &[(&str, &[Page])] = &[
     ("precision.gci", &[INDEX]),
     ("precision.orders", &[ORDERS]),
     ("precision.", &[WORK, ORDERS]),
+    ("record.", &[WORK, ORDERS]),
     ("extreme.", &[EXTREMES]),
 ];
 

@@ -38,7 +38,7 @@ fn a_part_has_reports_where_a_folder_is_named_but_no_validation() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     files.sort();
-    assert_eq!(files, ["junit.xml", "report.json"]);
+    assert_eq!(files, ["junit.xml", "report.html", "report.json", "sensitivity.md", "summary.md"]);
 }
 
 #[test]

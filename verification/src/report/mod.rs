@@ -15,15 +15,18 @@ use anyhow::{Context, Result};
 
 use crate::output::Destination;
 use crate::record::Record;
+use crate::sensitivity::page::page;
 
 /// Every report, by the name of its file.
 pub fn files(record: &Record) -> Vec<(&'static str, String)> {
-    vec![
+    let mut files = vec![
         ("report.html", html::render(record)),
         ("junit.xml", junit::render(record)),
         ("VALIDATION.md", markdown::render(record)),
         ("summary.md", summary::render(record)),
-    ]
+    ];
+    files.extend(record.sensitivity.as_ref().map(|matrix| ("sensitivity.md", page(matrix))));
+    files
 }
 
 /// Writes files into a folder, which is made if there is none: everything is on the disk under other
