@@ -19,7 +19,10 @@ fn a_record_gives_the_same_files_every_time_beside_it_or_elsewhere() {
     fs::create_dir(folder.path().join("made")).unwrap();
     fs::write(folder.path().join("made/report.json"), record.json()).unwrap();
     let beside = crossfibre(folder.path(), &["report", "--from", "made/report.json"]);
-    assert_eq!(beside.stdout, "report.html, junit.xml, VALIDATION.md, summary.md in made\n");
+    assert_eq!(
+        beside.stdout,
+        "report.html, junit.xml, VALIDATION.md, summary.md, sensitivity.md in made\n"
+    );
     assert_eq!((beside.code, beside.stderr.as_str()), (0, ""));
     let elsewhere =
         crossfibre(folder.path(), &["report", "--from", "made/report.json", "--out", "a/b"]);
