@@ -34,7 +34,7 @@ pub fn groups(matrix: &Matrix) -> String {
                 matrix.faults.iter().filter(|row| row.group == name).collect();
             let noticed = of_group.iter().filter(|row| !missed.contains(&row.id.as_str())).count();
             let fewest = of_group.iter().map(|row| matrix.count(row)).min().unwrap_or(0);
-            [name.to_owned(), of_group.len().to_string(), noticed.to_string(), fewest.to_string()]
+            [cell(name), of_group.len().to_string(), noticed.to_string(), fewest.to_string()]
                 .to_vec()
         })
         .collect();
@@ -76,7 +76,13 @@ fn rewrites(matrix: &Matrix) -> String {
     let rows: Vec<Vec<String>> = matrix
         .rewrites
         .iter()
-        .map(|row| vec![format!("`{}`", row.id), cell(&row.what), falling(matrix, row)])
+        .map(|row| {
+            vec![
+                format!("`{}`", cell(&row.id).replace('`', "'")),
+                cell(&row.what),
+                falling(matrix, row),
+            ]
+        })
         .collect();
     format!(
         "## Editions that are equal in algebra\n\nTheir last digits differ, so that only checks of bits may fall.\n\n{}",
@@ -87,7 +93,7 @@ fn rewrites(matrix: &Matrix) -> String {
 fn falling(matrix: &Matrix, row: &Row) -> String {
     let names: Vec<String> = (0..matrix.checks.len())
         .filter(|&i| row.is_caught_by(matrix, i))
-        .map(|i| format!("{}: {}", matrix.checks[i].case, cell(&matrix.checks[i].claim)))
+        .map(|i| format!("{}: {}", cell(&matrix.checks[i].case), cell(&matrix.checks[i].claim)))
         .collect();
     if names.is_empty() { "none".into() } else { names.join("; ") }
 }
@@ -98,8 +104,8 @@ fn faults(matrix: &Matrix) -> String {
         .iter()
         .map(|row| {
             vec![
-                format!("`{}`", row.id),
-                row.group.clone(),
+                format!("`{}`", cell(&row.id).replace('`', "'")),
+                cell(&row.group),
                 cell(&row.what),
                 matrix.count(row).to_string(),
                 cases(matrix, row),
@@ -118,7 +124,8 @@ fn cases(matrix: &Matrix, row: &Row) -> String {
     for (i, check) in matrix.checks.iter().enumerate() {
         if row.is_caught_by(matrix, i) {
             let stopped = row.stopped.contains(&check.case);
-            let name = if stopped { format!("*{}*", check.case) } else { check.case.clone() };
+            let name = cell(&check.case);
+            let name = if stopped { format!("*{name}*") } else { name };
             if names.last() != Some(&name) {
                 names.push(name);
             }
