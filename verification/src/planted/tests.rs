@@ -116,7 +116,6 @@ fn in_plain_words_the_march_gives_the_same_bits_in_blocks_of_one() {
             } else {
                 crossfibre::march::run(&traced, &mut state, 25, |_| ());
             }
-            drop(traced);
             seen
         }
     }

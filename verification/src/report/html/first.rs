@@ -125,7 +125,8 @@ fn wrong(record: &Record) -> Markup {
     let errata = record.ledger.iter().filter(|line| line.kind == "erratum").count();
     let effects = &record.effects;
     let (printed, corrected) = (effects.crossover.first(), effects.crossover.last());
-    let rows: [(&str, fn(&CrossoverRow) -> f64); 4] = [
+    type Row = (&'static str, fn(&CrossoverRow) -> f64);
+    let rows: [Row; 4] = [
         ("R", |row| row.reflection),
         ("T", |row| row.transmission),
         ("D", |row| row.diversion),
