@@ -3,13 +3,18 @@
 use super::*;
 
 /// ∫ f dx over the moving part of the rod at time t, in parts that end at these shares of the way of
-/// the front. An arm that relaxes at once has a thin layer where the front of the others is.
+/// the front. An arm that relaxes at once has a thin layer where the front of the others is, which
+/// may be a thousandth of a part: the substitution u³(10 − 15u + 6u²) looks closer at both ends.
 fn along(rod: &PulledRod, t: f64, layers: &[f64], f: impl Fn(RodState) -> f64) -> f64 {
     let ends = layers.iter().copied().chain([1.0]);
     let part = |from: &mut f64, to: f64| {
         let from = std::mem::replace(from, to);
         let reach = rod.front_speed() * t;
-        Some(integral(from * reach, to * reach, &|x| f(rod.at(x, t).unwrap())))
+        Some(integral(0.0, 1.0, &|u| {
+            let share = from + (to - from) * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u);
+            let slope = (to - from) * 30.0 * (u * (1.0 - u)).powi(2);
+            reach * slope * f(rod.at(share * reach, t).unwrap())
+        }))
     };
     ends.scan(0.0, part).sum()
 }

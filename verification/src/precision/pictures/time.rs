@@ -33,16 +33,21 @@ pub fn contestants(times: &Times, problem: Problem) -> Vec<&str> {
     names
 }
 
-/// The picture: a row against time, and one against instructions if there are any.
+/// The picture: the problems against time, then against instructions where these were counted.
 pub fn picture(record: &Record, times: &Times) -> String {
-    let timed = |problem: &Problem| times.runs.iter().any(|run| run.problem == *problem);
-    let problems: Vec<Problem> = Problem::ALL.into_iter().filter(timed).collect();
-    let mut panels: Vec<Panel> =
-        problems.iter().map(|&problem| against_time(record, times, problem)).collect();
-    if times.runs.iter().any(|run| run.instructions.is_some()) {
-        panels.extend(problems.iter().map(|&p| against_instructions(record, times, p)));
-    }
-    rows(&panels, problems.len().clamp(1, 2))
+    let (timed, counted) = panels(record, times);
+    let columns = timed.len().clamp(1, 2);
+    rows(&[timed, counted].concat(), columns)
+}
+
+fn panels(record: &Record, times: &Times) -> (Vec<Panel>, Vec<Panel>) {
+    let of = |problem| times.runs.iter().filter(move |run| run.problem == problem);
+    let timed = Problem::ALL.into_iter().filter(|&problem| of(problem).next().is_some());
+    let counted = timed.clone().filter(|&p| of(p).any(|run| run.instructions.is_some()));
+    (
+        timed.map(|problem| against_time(record, times, problem)).collect(),
+        counted.map(|problem| against_instructions(record, times, problem)).collect(),
+    )
 }
 
 /// Points of each contestant by an abscissa.
@@ -129,14 +134,29 @@ mod tests {
         Seconds { least, median: 1.1 * least, greatest: 1.7 * least }
     }
 
-    fn drawn(bound: f64) -> Panel {
-        let run = |contestant: &str, elements| TimedRun {
-            problem: Problem::Crossed,
+    fn run(problem: Problem, contestant: &str, elements: usize) -> TimedRun {
+        TimedRun {
+            problem,
             contestant: contestant.into(),
             elements,
             seconds: seconds(1e-8 * (elements * elements) as f64),
             instructions: None,
-        };
+        }
+    }
+
+    fn times(runs: Vec<TimedRun>, exact: Vec<TimedExact>) -> Times {
+        Times {
+            format: FORMAT.into(),
+            machine: "none".into(),
+            calibration: seconds(0.1),
+            rounds: 3,
+            runs,
+            exact,
+        }
+    }
+
+    fn drawn(bound: f64) -> Panel {
+        let run = |contestant, elements| run(Problem::Crossed, contestant, elements);
         let exact = TimedExact {
             problem: Problem::Crossed,
             strain: Strain::Engineering,
@@ -145,14 +165,8 @@ mod tests {
             error_bound: bound,
             seconds: seconds(3e-5),
         };
-        let times = Times {
-            format: FORMAT.into(),
-            machine: "none".into(),
-            calibration: seconds(0.1),
-            rounds: 3,
-            runs: vec![run(BASES[0], 100), run(ENGINE, 100), run(BASES[0], 300)],
-            exact: vec![exact],
-        };
+        let runs = vec![run(BASES[0], 100), run(ENGINE, 100), run(BASES[0], 300)];
+        let times = times(runs, vec![exact]);
         let record =
             record(vec![entry(BASES[0], 3e-3, Some(0.043)), entry(BASES[0], 1e-3, Some(0.017))]);
         against_time(&record, &times, Problem::Crossed)
@@ -161,6 +175,14 @@ mod tests {
     fn points<'p>(panel: &'p Panel, name: &str) -> &'p [(f64, f64)] {
         let named = panel.series.iter().find(|series| series.name.as_deref() == Some(name));
         &named.unwrap().points
+    }
+
+    #[test]
+    fn a_problem_whose_instructions_were_not_counted_has_no_panel_of_them() {
+        let counted = TimedRun { instructions: Some(7.0e5), ..run(Problem::Single, BASES[0], 100) };
+        let times = times(vec![counted, run(Problem::Crossed, BASES[0], 100)], vec![]);
+        let (timed, counted) = panels(&record(vec![]), &times);
+        assert_eq!((timed.len(), counted.len()), (2, 1));
     }
 
     #[test]

@@ -95,7 +95,11 @@ fn catches(record: &Record, case: &CaseRecord) -> Markup {
     html! {
         details.faults {
             summary { "Catches " (count(faults.len(), "planted fault")) " of " (matrix.faults.len()) }
-            ul { @for fault in faults { li { code { (visible(&fault.id)) } " " (visible(&fault.what)) } } }
+            ul {
+                @for fault in faults {
+                    li { code { (visible(&fault.id)) } span { " " (visible(&fault.what)) } }
+                }
+            }
         }
     }
 }
