@@ -354,7 +354,10 @@ proptest! {
         let (one, other) = (state(&whole), state(&divided));
         if one != RodState::REST {
             // The order of the sums moves c by an ulp, and X and T with it; 2e-13 is the worst of 300.
-            prop_assert!(difference(other, one) < 1e-12, "{one:?} {other:?}");
+            // What has decayed to e^(-p) feels p times the roundings of its exponent: 8e-15 p, seen at
+            // p = 160.
+            let decay = -pxfm::f_log((one.velocity / VELOCITY).abs());
+            prop_assert!(difference(other, one) < 1e-12 + 2e-14 * decay, "{one:?} {other:?}");
         }
     }
 }

@@ -17,7 +17,7 @@ written by
 
 and is the same to the byte wherever that runs: the numbers of its tables are measured, not typed. The same
 rows are the cases `extreme.*` of `crossfibre verify`. That no scene which passes its check ends in a panic or in
-a number that is not finite is tested over random scenes (`tests/parameter_box.rs`).
+a number that is not finite is tested over random scenes (`tests/library/parameter_box.rs`).
 ",
     );
     for group in GROUPS {

@@ -1,7 +1,5 @@
 //! A trace as the library writes it: a header and an event a line, or the failure of the output.
 
-#![allow(clippy::unwrap_used)] // a test may
-
 use std::io::{self, Write};
 
 use crossfibre::march;
@@ -41,7 +39,7 @@ fn lines(text: &str, filter: Filter) -> (u64, Vec<Value>) {
 fn a_trace_is_a_header_and_the_events_that_are_kept() {
     let filter =
         || Filter { equations: vec![4, 7], fibre: Some(Fibre::Primary), ..Filter::default() };
-    let single = include_str!("../verification/scenes/single-400.json");
+    let single = include_str!("../../verification/scenes/single-400.json");
     let (written, lines_of_single) = lines(single, filter());
     // The front gains an element a step: 1 + 2 + … + 7 elements, two equations each.
     assert_eq!((written, lines_of_single.len()), (56, 57));
@@ -53,7 +51,7 @@ fn a_trace_is_a_header_and_the_events_that_are_kept() {
     assert!(header["equations"].as_array().unwrap().iter().all(|e| e["lines_by_law"].is_null()));
     assert!(lines_of_single[1..].iter().all(|e| e["eq"] == "4" || e["eq"] == "7"));
 
-    let (_, lines_by_law) = lines(include_str!("../verification/scenes/eyring.json"), filter());
+    let (_, lines_by_law) = lines(include_str!("../../verification/scenes/eyring.json"), filter());
     let seventh = &lines_by_law[0]["equations"][6];
     assert_eq!(seventh["lines_by_law"][0]["expression"], "{area} * {stress}");
 }
@@ -79,7 +77,7 @@ impl Write for Full {
 
 #[test]
 fn an_output_that_fails_is_told_at_the_start_or_the_end() {
-    let scene = scene_file::read(include_str!("../verification/scenes/fig3.json")).unwrap();
+    let scene = scene_file::read(include_str!("../../verification/scenes/fig3.json")).unwrap();
     for room in [0, 20_000] {
         let failed = with_paper(&scene, Trace(&scene, Filter::default(), Full(room))).unwrap_err();
         assert_eq!(failed.to_string(), "no room", "{room}");

@@ -1,10 +1,6 @@
 //! Other laws in the march: what must be equal, exactly or to rounding.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{bits, run, shipped};
+use crate::common::{bits, run, shipped};
 use crossfibre::constitution::Constitution;
 use crossfibre::material::{Arm, Coefficients, Mesh, Update, of_scene};
 use crossfibre::outcome::Outcome;

@@ -1,13 +1,9 @@
 //! Any scene that passes its check ends in finite numbers and says how it ended, over the whole box of
 //! parameters.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::{cases, shipped, trace};
+use crate::common::{cases, shipped, trace};
 use crossfibre::discretisation::Discretisation;
 use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::material::{Arm, Coefficients, Update};

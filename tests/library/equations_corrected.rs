@@ -4,12 +4,9 @@
 //! Inputs are short binary fractions where the comment says "exact"; tolerances as in
 //! `equations_as_printed.rs`.
 
-#![allow(clippy::unwrap_used)] // a test may
 #![allow(clippy::excessive_precision)] // seventeen digits of what was worked by hand
 
-mod common;
-
-use common::{assert_far, assert_ulps, cases, exact};
+use crate::common::{assert_far, assert_ulps, cases, exact};
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::number::{Number, Vector};

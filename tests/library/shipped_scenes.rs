@@ -1,7 +1,5 @@
 //! The scenes in `verification/scenes`: all are read, and each is what its title says.
 
-#![allow(clippy::unwrap_used)] // a test may
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;

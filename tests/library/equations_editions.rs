@@ -1,10 +1,6 @@
 //! Editions: without corrections the page to the bit, and each correction changes its own equations.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{Inputs, cases, evaluate, evaluate_corrected, evaluate_printed};
+use crate::common::{Inputs, cases, evaluate, evaluate_corrected, evaluate_printed};
 use crossfibre::corrected::{Corrected, Engineering};
 use crossfibre::errata::{Corrections, Erratum, Kind, LEDGER};
 use proptest::array::uniform16;

@@ -1,10 +1,6 @@
 //! The crossover's node `ix`: the nearest node of the primary, and what happens at the ends.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{run, shipped, steps};
+use crate::common::{run, shipped, steps};
 use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::errata::Corrections;
 use crossfibre::march;

@@ -1,10 +1,6 @@
 //! The order of the equations within a step, and the time level of everything that enters them.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{bits, run, short_scenes, steps, trace};
+use crate::common::{bits, run, short_scenes, steps, trace};
 use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::march;
 use crossfibre::number::Vector;
@@ -330,7 +326,7 @@ fn a_block_of_elements_gives_the_bits_of_the_recursion_wherever_the_crossover_li
     // into the second block.
     let block = <Printed as Paper<f64>>::BLOCK;
     for ix in [block - 1, block, block + 1] {
-        let mut scene = common::shipped("unequal");
+        let mut scene = crate::common::shipped("unequal");
         scene.primary.elements = 2 * block + 57;
         let spacing = scene.primary.length / scene.primary.elements as f64;
         scene.secondary.as_mut().unwrap().at = ix as f64 * spacing;

@@ -1,14 +1,11 @@
 //! What must be equal, exactly: counts and events, traced and untraced, with the wavefront's flags
 //! and without, planned and done, f32 and f64 within the rounding of f32.
 
-#![allow(clippy::unwrap_used)] // a test may
 #![allow(clippy::excessive_precision)] // seventeen digits of what was worked by hand
-
-mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::{assert_ulps, bits, run, shipped, short_scenes, trace};
+use crate::common::{assert_ulps, bits, run, shipped, short_scenes, trace};
 use crossfibre::discretisation::Discretisation;
 use crossfibre::outcome::Outcome;
 use crossfibre::plan::Plan;

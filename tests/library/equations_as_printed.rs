@@ -9,12 +9,9 @@
 //! and half for the literal. Where every operation is exact the comment says so, and half a unit
 //! then means equality.
 
-#![allow(clippy::unwrap_used)] // a test may
 #![allow(clippy::excessive_precision)] // seventeen digits of what was worked by hand
 
-mod common;
-
-use common::{assert_ulps, exact, exact_vector};
+use crate::common::{assert_ulps, exact, exact_vector};
 use crossfibre::number::{Number, Vector};
 use crossfibre::paper::{
     Cosines, CrossoverPush, Direction, Lengths, Paper, Printed, ProjectilePush, Remembered,

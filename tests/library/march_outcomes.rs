@@ -1,10 +1,6 @@
 //! A run that goes wrong ends with a type that says where.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{Recorder, run, shipped, steps, trace};
+use crate::common::{Recorder, run, shipped, steps, trace};
 use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::errata::Corrections;
 use crossfibre::march;

@@ -1,11 +1,7 @@
 //! The march with 32 digits: it runs, it has the digits of its numbers, and what separates it from
 //! the march in `f64` is the rounding of `f64`.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{exact, run, shipped, short_scenes, steps};
+use crate::common::{exact, run, shipped, short_scenes, steps};
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::double_double::DoubleDouble;
 use crossfibre::errata::Corrections;
@@ -37,7 +33,7 @@ fn in_units_of_rounding<const D: usize>(
     steps: u64,
 ) -> [f64; 3] {
     let fibre = &double.properties;
-    let unit = common::ulp::<f64>(length) / 2.0 / fibre.spacing * (steps as f64).sqrt();
+    let unit = crate::common::ulp::<f64>(length) / 2.0 / fibre.spacing * (steps as f64).sqrt();
     let [velocity, position] = [
         apart(long.velocity.iter().flatten(), double.velocity.iter().flatten()),
         apart(long.position.iter().flatten(), double.position.iter().flatten()),

@@ -4,13 +4,11 @@
 //! right, every operation rounded. A line that says something else than the code, a symbol that a
 //! trace leaves out or another order of operations shows in the last bit.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::{Inputs, Recorder, Seen, cases, evaluate, short_scenes, trace, with_corrections};
+use crate::common::{
+    Inputs, Recorder, Seen, cases, evaluate, short_scenes, trace, with_corrections,
+};
 use crossfibre::corrected::{Corrected, Engineering, Incremental, StrainMeasure};
 use crossfibre::equations::{EQUATIONS, Line, SYMBOLS, TENSION_BY_LAW};
 use crossfibre::errata::{Corrections, Erratum};

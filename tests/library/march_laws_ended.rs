@@ -1,10 +1,6 @@
 //! How a run ends that a law breaks off, judged by the law's own slope.
 
-#![allow(clippy::unwrap_used)] // a test may
-
-mod common;
-
-use common::{shipped, steps};
+use crate::common::{shipped, steps};
 use crossfibre::corrected::{Corrected, Engineering};
 use crossfibre::march;
 use crossfibre::material::Update;

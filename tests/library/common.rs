@@ -1,7 +1,5 @@
 //! What the tests of the equations and of the march share.
 
-#![allow(clippy::unwrap_used, dead_code)] // tests; no test binary uses all of it
-
 use std::fs;
 use std::path::Path;
 

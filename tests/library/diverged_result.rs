@@ -1,7 +1,5 @@
 //! The result of a run that diverges holds the numbers of its last whole step.
 
-#![allow(clippy::unwrap_used)] // a test may
-
 use crossfibre::errata::Corrections;
 use crossfibre::outcome::Outcome;
 use crossfibre::place::{Fibre, Place};
@@ -12,13 +10,13 @@ use crossfibre::{march, paper::Paper, scene_file};
 use serde_json::Value;
 
 fn single() -> Scene {
-    scene_file::read(include_str!("../verification/scenes/single-400.json")).unwrap()
+    scene_file::read(include_str!("../../verification/scenes/single-400.json")).unwrap()
 }
 
 /// Beyond the Courant limit the highest mode grows without bound. With (4) the growth ends, since
 /// its strain is a logarithm; with the engineering measure it ends where a double does.
 fn overflowing() -> [Scene; 2] {
-    let fig3 = scene_file::read(include_str!("../verification/scenes/fig3.json")).unwrap();
+    let fig3 = scene_file::read(include_str!("../../verification/scenes/fig3.json")).unwrap();
     [(single(), 1.3), (fig3, 1.1)].map(|(scene, courant)| Scene {
         strain: Strain::Engineering,
         courant,
