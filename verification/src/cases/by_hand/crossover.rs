@@ -38,29 +38,31 @@ pub fn equations() -> Vec<Check> {
     ]
 }
 
-/// (8) of a heavy projectile and of a light one.
-fn slowed(paper: &Edition) -> [f64; 2] {
+/// (8) of a fast projectile, a slow one, and one that goes back already.
+fn slowed(paper: &Edition, answers: [(i64, i64); 3]) -> [Worked; 3] {
     let push = |velocity, tension_y, mass, node_mass| {
         let (time_step, time) = (0.003, 0.019);
         let push = ProjectilePush { velocity, tension_y, mass, node_mass, time_step, time };
         paper.eqn_8_projectile_velocity(push)
     };
-    [push(387.7, -271.9, 0.19, 0.02), push(3.7, -91.3, 0.19, 0.05)]
+    [
+        (push(387.7, -271.9, 0.19, 0.02), answers[0]),
+        (push(3.7, -91.3, 0.19, 0.05), answers[1]),
+        (push(-9.3, -87.5, 0.53, 0.09), answers[2]),
+    ]
 }
 
 fn projectile() -> Check {
-    let [heavy, light] = slowed(&corrected());
     equation(
         "(8) with its corrections pulls projectile and node back, for one time step",
-        &[(heavy, (66_488, 175)), (light, (567, 400))],
+        &slowed(&corrected(), [(66_488, 175), (567, 400), (-6291, 620)]),
     )
 }
 
 fn projectile_as_printed() -> Check {
-    let [heavy, light] = slowed(&printed());
     equation(
         "(8) as printed pushes the projectile on, alone, and for the time since impact",
-        &[(heavy, (11_052, 25)), (light, (549, 25))],
+        &slowed(&printed(), [(11_052, 25), (549, 25), (-802, 265)]),
     )
 }
 
@@ -156,6 +158,7 @@ fn secondary_v() -> Check {
         &[
             (of(0.7, 37.7, 26.1, theta(20.0, 21.0, 29.0)), (3711, 100)),
             (of(0.3, 14.3, -7.8, theta(-5.0, 12.0, 13.0)), (174, 25)),
+            (of(0.3, 52.0, 71.5, theta(-33.0, -56.0, 65.0)), (-2487, 50)),
         ],
     )
 }
@@ -178,37 +181,37 @@ fn tension_along() -> Check {
         &[
             (of(60.9, phi(2.0, 3.0, 7.0), phi(20.0, 21.0, 29.0)), (309, 10)),
             (of(81.9, phi(-1.0, 4.0, 9.0), phi(-5.0, 12.0, 13.0)), (371, 10)),
+            (of(83.3, phi(2.0, -6.0, 7.0), phi(-15.0, -8.0, 17.0)), (63, 5)),
         ],
     )
 }
 
-/// (16) of two secondaries.
-fn normal_tension(paper: &Edition) -> [f64; 2] {
+/// (16) of three secondaries.
+fn normal_tension(paper: &Edition, answers: [(i64, i64); 3]) -> [Worked; 3] {
     let of = |tension, phi_2, phi_1| paper.eqn_16_perpendicular_tension(tension, phi_2, phi_1);
     [
-        of(60.9, phi(2.0, 3.0, 7.0), phi(20.0, -21.0, 29.0)),
-        of(81.9, phi(-1.0, 4.0, 9.0), phi(5.0, 12.0, 13.0)),
+        (of(60.9, phi(2.0, 3.0, 7.0), phi(20.0, -21.0, 29.0)), answers[0]),
+        (of(81.9, phi(-1.0, 4.0, 9.0), phi(5.0, 12.0, 13.0)), answers[1]),
+        (of(88.4, phi(-8.0, 9.0, 17.0), phi(-12.0, 5.0, 13.0)), answers[2]),
     ]
 }
 
 fn tension_across() -> Check {
-    let [first, second] = normal_tension(&corrected());
     equation(
         "(16) with its correction is the secondary's tension across the primary",
-        &[(first, (153, 5)), (second, (112, 5))],
+        &normal_tension(&corrected(), [(153, 5), (112, 5), (-136, 5)]),
     )
 }
 
 fn tension_across_as_printed() -> Check {
-    let [first, second] = normal_tension(&printed());
     equation(
         "(16) as printed takes the products of like cosines from each other",
-        &[(first, (309, 10)), (second, (-371, 10))],
+        &normal_tension(&printed(), [(309, 10), (-371, 10), (102, 5)]),
     )
 }
 
-/// The node before the push, and the push: two crossovers.
-fn pushes() -> [([f64; 2], CrossoverPush<f64>); 2] {
+/// The node before the push, and the push: three crossovers.
+fn pushes() -> [([f64; 2], CrossoverPush<f64>); 3] {
     [
         (
             [7.3, 4.7],
@@ -236,45 +239,58 @@ fn pushes() -> [([f64; 2], CrossoverPush<f64>); 2] {
                 secondary_mass: 0.5,
             },
         ),
+        (
+            [0.6, 5.7],
+            CrossoverPush {
+                a: 0.7,
+                slide_factor: 0.6,
+                perpendicular: 5.4,
+                parallel: 7.4,
+                primary: phi(-24.0, -7.0, 25.0),
+                change: Vector::<f64, 2>::new(1.75, -2.0),
+                mass: 0.27,
+                secondary_mass: 0.45,
+            },
+        ),
     ]
 }
 
-/// (17) of both.
-fn u(paper: &Edition, answers: [(i64, i64); 2]) -> [Worked; 2] {
+/// (17) of them.
+fn u(paper: &Edition, answers: [(i64, i64); 3]) -> [Worked; 3] {
     let u = pushes().map(|([u, _], push)| paper.eqn_17_u_at_crossover(u, push));
-    [(u[0], answers[0]), (u[1], answers[1])]
+    [(u[0], answers[0]), (u[1], answers[1]), (u[2], answers[2])]
 }
 
-/// (18) of both.
-fn v(paper: &Edition, answers: [(i64, i64); 2]) -> [Worked; 2] {
+/// (18) of them.
+fn v(paper: &Edition, answers: [(i64, i64); 3]) -> [Worked; 3] {
     let v = pushes().map(|([_, v], push)| paper.eqn_18_v_at_crossover(v, push));
-    [(v[0], answers[0]), (v[1], answers[1])]
+    [(v[0], answers[0]), (v[1], answers[1]), (v[2], answers[2])]
 }
 
 fn pushed_u() -> Check {
     equation(
         "(17) with its corrections gives the impulses of a step to both nodes, along x",
-        &u(&corrected(), [(70_075, 10_000), (-9274, 1000)]),
+        &u(&corrected(), [(70_075, 10_000), (-9274, 1000), (-316_075, 100_000)]),
     )
 }
 
 fn pushed_v() -> Check {
     equation(
         "(18) with its correction gives the impulses of a step to both nodes, along y",
-        &v(&corrected(), [(505_625, 100_000), (38_242, 10_000)]),
+        &v(&corrected(), [(505_625, 100_000), (38_242, 10_000), (3219, 1000)]),
     )
 }
 
 fn pushed_u_as_printed() -> Check {
     equation(
         "(17) as printed gives the secondary's pull to the primary's node, its normal turned in x",
-        &u(&printed(), [(24_788, 2900), (-69_622, 13_000)]),
+        &u(&printed(), [(24_788, 2900), (-69_622, 13_000), (-187_104, 25_000)]),
     )
 }
 
 fn pushed_v_as_printed() -> Check {
     equation(
         "(18) as printed gives the secondary's pull to the primary's node",
-        &v(&printed(), [(172_608, 29_000), (36_842, 13_000)]),
+        &v(&printed(), [(172_608, 29_000), (36_842, 13_000), (-82_452, 25_000)]),
     )
 }

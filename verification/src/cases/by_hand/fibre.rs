@@ -42,9 +42,22 @@ fn balance() -> Check {
         space(23.3, 41.9, 7.7),
         space(-11.3, -63.8, 19.1),
     );
+    let in_plane = corrected().eqn_1_impulse_residual(
+        plane(88.1, 23.1),
+        plane(-69.6, 9.3),
+        0.7,
+        plane(-0.3, 13.2),
+        plane(-13.5, -63.4),
+    );
     equation(
         "(1) is the difference of the tensions less the change of momentum in a time step",
-        &[(residual.x, (8588, 100)), (residual.y, (-16539, 100)), (residual.z, (9118, 100))],
+        &[
+            (residual.x, (8588, 100)),
+            (residual.y, (-16_539, 100)),
+            (residual.z, (9118, 100)),
+            (in_plane.x, (14_846, 100)),
+            (in_plane.y, (-3982, 100)),
+        ],
     )
 }
 
@@ -55,15 +68,16 @@ fn velocity() -> Check {
         space(91.7, -36.3, 12.9),
         space(-18.4, 55.1, -70.3),
     );
-    let w = corrected().eqn_2_velocity(plane(4.3, 0.9), 0.3, plane(2.3, 8.9), plane(-5.9, 3.2));
+    let w =
+        corrected().eqn_2_velocity(plane(-13.5, -63.4), 0.7, plane(88.1, 23.1), plane(-69.6, 9.3));
     equation(
         "(2) adds to the velocity of a node A times the difference of the tensions beside it",
         &[
             (v.x, (6577, 100)),
             (v.y, (-12778, 100)),
             (v.z, (7734, 100)),
-            (w.x, (676, 100)),
-            (w.y, (261, 100)),
+            (w.x, (9689, 100)),
+            (w.y, (-5374, 100)),
         ],
     )
 }

@@ -67,21 +67,14 @@ fn before() -> State<f64> {
 pub fn four_elements() -> Vec<Check> {
     let mut state = before();
     let ended = march::step(&corrected(), &mut state);
+    assert!(ended.is_ok(), "{ended:?}");
     let fibre = &state.primary;
     let strains: Vec<_> = fibre.strain.iter().copied().zip(STRAINS.map(fraction)).collect();
     vec![
-        check(
-            "A step is made, and visits one element more than the step before",
-            "a strained element at the front: 3 and 1",
-            "elements that the next step visits",
-            if ended.is_ok() { fibre.visited as f64 } else { f64::NAN },
-            Bound::Exactly(4.0),
-            "a count",
-        ),
         compared(
             "It changes the velocities of nodes",
             &components(&fibre.velocity, &VELOCITIES),
-            4.0,
+            2.0,
         ),
         compared("It moves the nodes", &components(&fibre.position, &POSITIONS), 2.0),
         compared("It strains the elements", &strains, 16.0),
