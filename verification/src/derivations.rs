@@ -15,6 +15,9 @@ pub struct Derivation {
 
 type Page = (&'static str, &'static str);
 
+const HAND: Page = ("The equations at numbers worked by hand", "docs/exact/by-hand.md");
+const HAND_STEP: Page =
+    ("A step of four elements", "docs/exact/by-hand.md#a-step-of-four-elements");
 const SMITH: Page = ("Transverse impact on one long fibre", "docs/exact/smith.md#derivation");
 const LAWS: Page = ("Laws that harden or soften", "docs/exact/smith.md#laws-that-harden-or-soften");
 const CROSSOVER: Page =
@@ -46,6 +49,8 @@ const DEPARTURES: Page = ("Departures from the page", "VALIDATION.md#departures-
 
 /// Cases by their names or the beginnings of them, and their pages. The first that fits counts.
 const PAGES: &[(&str, &[Page])] = &[
+    ("by-hand.step", &[HAND_STEP, STEP]),
+    ("by-hand.", &[HAND, DEPARTURES]),
     ("smith.", &[SMITH]),
     ("axial.dispersion", &[DISPERSION]),
     ("axial.", &[AXIAL]),

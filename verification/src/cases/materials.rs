@@ -5,6 +5,7 @@ mod elastic;
 mod energy;
 mod rod;
 mod viscosity;
+mod viscous_stress;
 
 use super::Case;
 pub(crate) use viscosity::of_scene as front_of;
@@ -64,5 +65,11 @@ pub const CASES: &[Case] = &[
         title: "Artificial viscosity: oscillations at a front, what they cost, and the step",
         equations: &[2, 4, 5, 6, 7],
         run: viscosity::front,
+    },
+    Case {
+        id: "material.viscosity-stress",
+        title: "Artificial viscosity: stress and loss at a steady rate of strain",
+        equations: &[2, 6, 7],
+        run: viscous_stress::stretched,
     },
 ];

@@ -4,6 +4,7 @@
 //! source gives the same bits, so a tolerance can be held against the error it was set for.
 
 mod axial;
+mod by_hand;
 mod conformance;
 mod conservation;
 mod courant;
@@ -177,6 +178,7 @@ impl Case {
 /// Every case, in the order of the report.
 pub fn all() -> Vec<Case> {
     [
+        by_hand::CASES,
         smith::CASES,
         axial::CASES,
         courant::CASES,

@@ -2,7 +2,8 @@
 
 use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::outcome::Outcome;
-use crossfibre::scene::Scene;
+use crossfibre::scene::{Law, Scene};
+use crossfibre::state::FibreState;
 
 use super::support::{check, marched, order, refined, relative, shipped};
 use super::{Bound, Case, Check};
@@ -20,6 +21,12 @@ pub const CASES: &[Case] = &[
         title: "Heavy projectiles, and (8) as printed",
         equations: &[8],
         run: limits,
+    },
+    Case {
+        id: "projectile.two-fibres",
+        title: "A projectile that strikes two fibres at once is slowed by both",
+        equations: &[2, 8, 14],
+        run: two_fibres,
     },
 ];
 
@@ -118,6 +125,58 @@ fn limits() -> Vec<Check> {
             f64::from(u8::from(result.outcome != Outcome::Completed)),
             Bound::Exactly(1.0),
             "the impulse of the whole time since impact in every step",
+        ),
+    ]
+}
+
+/// What the nodes of a fibre beyond the first have of momentum along y, both halves, kg m/s.
+fn momentum_of<const D: usize>(fibre: &FibreState<f64, D>) -> f64 {
+    let along_y: f64 = fibre.velocity[1..].iter().map(|v| v[1]).sum();
+    2.0 * fibre.properties.mass * along_y
+}
+
+fn two_fibres() -> Vec<Check> {
+    let mass = 0.0007;
+    let struck = |mass| {
+        let mut scene = shipped("both-at-origin");
+        scene.projectile.mass = Some(mass);
+        scene
+    };
+    let of_pair = marched(struck(2.0 * mass)).state.projectile.velocity;
+    let of_one = {
+        let mut scene = struck(mass);
+        scene.secondary = None;
+        marched(scene).state.projectile.velocity
+    };
+    let mut unequal = struck(mass);
+    if let Some(fibre) = &mut unequal.secondary {
+        (fibre.density, fibre.area) = (1443.7, 1.37e-6);
+        fibre.material = Law::Linear { modulus: 91.3e9 }.into();
+    }
+    let initial = unequal.projectile.velocity;
+    let state = marched(unequal).state;
+    let secondary = &state.crossover.as_ref().expect("both fibres").fibre;
+    let first_node = state.primary.properties.mass + secondary.properties.mass;
+    // The first node's velocity is the projectile's of half a step ago, as that of every node.
+    let along_y = (mass + first_node) * state.primary.velocity[0].y
+        + momentum_of(&state.primary)
+        + momentum_of(secondary);
+    vec![
+        check(
+            "Two equal fibres slow a projectile as one of them slows one of half the mass",
+            "symmetry: each half of the projectile has a fibre for itself",
+            "relative difference of the velocities after 28.7 µs",
+            relative(of_pair, of_one),
+            Bound::Exactly(0.0),
+            "masses and tensions are doubled, which no rounding sees",
+        ),
+        check(
+            "What it loses two unequal fibres gain",
+            "momentum at impact: that of projectile and first nodes",
+            "relative difference of the momentum, summed over the nodes after 28.7 µs",
+            relative(along_y, (mass + first_node) * initial),
+            Bound::AtMost(4e-15),
+            "rounding: a sum over 300 nodes; no wave has come to a clamp",
         ),
     ]
 }
