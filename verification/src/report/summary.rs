@@ -36,13 +36,10 @@ pub fn render(record: &Record) -> String {
     );
     failures(&mut out, record);
     if let Some(matrix) = &record.sensitivity {
-        let caught = |row: &&crate::sensitivity::matrix::Row| {
-            (0..matrix.checks.len()).any(|check| row.is_caught_by(matrix, check))
-        };
         let _ = writeln!(
             out,
             "{} of {} are noticed by some check; {} by none.\n",
-            matrix.faults.iter().filter(caught).count(),
+            matrix.noticed().count(),
             count(matrix.faults.len(), "planted fault"),
             count(matrix.idle().count(), "check")
                 + " that no fault moves, and faults that are noticed"

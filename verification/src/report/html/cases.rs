@@ -91,7 +91,7 @@ fn facts(record: &Record, case: &CaseRecord) -> Markup {
 /// The faults that a case is known to notice.
 fn catches(record: &Record, case: &CaseRecord) -> Markup {
     let Some(matrix) = &record.sensitivity else { return html! {} };
-    let faults: Vec<_> = matrix.caught_by_case(&case.id).collect();
+    let faults: Vec<_> = matrix.noticed_by_case(&case.id).collect();
     html! {
         details.faults {
             summary { "Catches " (count(faults.len(), "planted fault")) " of " (matrix.faults.len()) }
