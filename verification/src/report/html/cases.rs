@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::parts::{duration, file, link, text};
+use super::parts::{duration, link, text};
 use super::tolerances::{bar, strip};
 use crate::cases::Verdict;
 use crate::record::{CaseRecord, CheckRecord, Record};
@@ -74,7 +74,7 @@ fn facts(record: &Record, case: &CaseRecord) -> Markup {
             dt { "equations" }
             dd { @if case.equations.is_empty() { "none of the scheme" } @else { (equations(&case.equations)) } }
             dt { "derivation" }
-            dd { @for page in &case.derivation { (file(&page.title, &page.path)) br; } }
+            dd { @for page in &case.derivation { (link(&page.title, &page.path)) br; } }
             dt { "run it alone" }
             dd { code { (again) } ", " (duration(case.seconds)) ", " (quick) " " code { "verify --quick" } }
             @if !case.pictures.is_empty() {
