@@ -364,9 +364,12 @@ impl Breach {
     /// The outcome of a run that ends by it.
     pub fn at(self, place: Place) -> Outcome {
         match self {
-            Self::Courant(courant) => {
-                Outcome::CourantExceeded { place, courant, would_serve: None }
-            }
+            Self::Courant(courant) => Outcome::CourantExceeded {
+                place,
+                courant,
+                would_serve: None,
+                search_given_up: false,
+            },
             Self::NoWaves(strain) => Outcome::NoWaves { place, strain },
         }
     }

@@ -1,10 +1,12 @@
 //! How a run ends: always a type, never a silent not-a-number.
 
 use std::fmt;
+use std::ops::Not;
 
 use serde::{Deserialize, Serialize};
 
 use crate::place::{Fibre, Place};
+use crate::result::MOST_SEARCHED;
 
 /// The end of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,6 +42,10 @@ pub enum Outcome {
         /// where none was found.
         #[serde(skip_serializing_if = "Option::is_none")]
         would_serve: Option<f64>,
+        /// Whether the search for that one was given up, since it would have taken more than
+        /// [`crate::result::MOST_SEARCHED`] element-steps.
+        #[serde(default, skip_serializing_if = "Not::not")]
+        search_given_up: bool,
     },
     /// A law has softened so much that its modulus is negative: there are no waves, and the problem
     /// has no solution to converge to.
@@ -112,7 +118,7 @@ impl fmt::Display for Outcome {
                     Fibre::Primary.name()
                 )
             }
-            Self::CourantExceeded { place, courant, would_serve } => {
+            Self::CourantExceeded { place, courant, would_serve, search_given_up } => {
                 let Place { step, fibre, index } = place;
                 write!(
                     f,
@@ -120,7 +126,15 @@ impl fmt::Display for Outcome {
                      {} element {index}, where the Courant number is {courant:.4}",
                     fibre.name()
                 )?;
-                would_serve.map_or(Ok(()), |served| write!(f, "; {served:.3} would have served"))
+                match would_serve {
+                    Some(served) => write!(f, "; {served:.3} would have served"),
+                    None if *search_given_up => write!(
+                        f,
+                        "; the search for one that would have served was given up before \
+                         {MOST_SEARCHED:.0e} element-steps"
+                    ),
+                    None => Ok(()),
+                }
             }
             Self::NoWaves { place: Place { step, fibre, index }, strain } => write!(
                 f,
@@ -151,6 +165,12 @@ mod tests {
     #[test]
     fn an_outcome_says_where_and_what_happened() {
         let place = Place { step: 71, fibre: Fibre::Secondary, index: 13 };
+        let exceeded = |would_serve, search_given_up| Outcome::CourantExceeded {
+            place,
+            courant: 1.07318,
+            would_serve,
+            search_given_up,
+        };
         let unbalanced = |residual| Outcome::EnergyUnbalanced { step: 71, residual };
         for (outcome, words) in [
             (Outcome::Completed, "completed"),
@@ -171,14 +191,20 @@ mod tests {
                 "crossover left the primary fibre: at step 71 it slid to the clamp",
             ),
             (
-                Outcome::CourantExceeded { place, courant: 1.07318, would_serve: Some(0.8764) },
+                exceeded(Some(0.8764), false),
                 "Courant limit exceeded: the wave speed outgrew the time step at step 71, secondary \
                  element 13, where the Courant number is 1.0732; 0.876 would have served",
             ),
             (
-                Outcome::CourantExceeded { place, courant: 1.07318, would_serve: None },
+                exceeded(None, false),
                 "Courant limit exceeded: the wave speed outgrew the time step at step 71, secondary \
                  element 13, where the Courant number is 1.0732",
+            ),
+            (
+                exceeded(None, true),
+                "Courant limit exceeded: the wave speed outgrew the time step at step 71, secondary \
+                 element 13, where the Courant number is 1.0732; the search for one that would have \
+                 served was given up before 1e9 element-steps",
             ),
             (
                 Outcome::NoWaves { place, strain: -0.03137 },

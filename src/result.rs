@@ -194,11 +194,15 @@ pub fn run_with(
                 debug_assert!(again.is_completed(), "{again}");
             }
             let outcome = match outcome {
-                Outcome::CourantExceeded { place, courant, .. } => Outcome::CourantExceeded {
-                    place,
-                    courant,
-                    would_serve: serving_courant(marcher, paper, scene, courant),
-                },
+                Outcome::CourantExceeded { place, courant, .. } => {
+                    let found = serving_courant(marcher, paper, scene, courant, MOST_SEARCHED);
+                    Outcome::CourantExceeded {
+                        place,
+                        courant,
+                        would_serve: found.unwrap_or_default(),
+                        search_given_up: found.is_err(),
+                    }
+                }
                 other => other,
             };
             RunResult::of(scene, &state, paper, outcome)
@@ -213,26 +217,43 @@ const SMALLER: f64 = 0.95;
 /// The least Courant number to be tried.
 const LEAST_COURANT: f64 = 0.01;
 
+/// Element-steps that the search for a Courant number that serves takes at most: ten seconds or more at
+/// 10⁸ a second.
+pub const MOST_SEARCHED: f64 = 1e9;
+
+/// The search was given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct GivenUp;
+
 /// A Courant number with which a scene whose wave speed outgrows the step runs to its end, tried from
-/// the one that would have served up to where it was outgrown.
+/// the one that would have served up to where it was outgrown; none if none serves. The search takes
+/// `most` element-steps at most: a trial that might not come to its end within them is not begun.
 fn serving_courant<P: Paper<f64>>(
     marcher: &impl Marcher,
     paper: &P,
     scene: &Scene,
     exceeded: f64,
-) -> Option<f64> {
+    most: f64,
+) -> Result<Option<f64>, GivenUp> {
     let mut trial = Scene { courant: scene.courant / exceeded, ..scene.clone() };
+    let mut left = most;
     while trial.courant > LEAST_COURANT {
+        let mesh = Discretisation::<f64>::of(&trial);
+        let steps = mesh.steps(trial.duration);
+        let elements = mesh.primary.elements + mesh.secondary.map_or(0, |s| s.fibre.elements);
+        if steps as f64 * elements as f64 > left {
+            return Err(GivenUp);
+        }
         let mut state = marcher.at_impact(&trial);
-        let steps = Discretisation::<f64>::of(&trial).steps(trial.duration);
         let outcome = marcher.march(paper, &mut state, steps, |_| ());
+        left -= state.work.elements as f64;
         match RunResult::of(&trial, &state, paper, outcome).outcome {
-            Outcome::Completed => return Some(trial.courant),
+            Outcome::Completed => return Ok(Some(trial.courant)),
             Outcome::CourantExceeded { .. } => trial.courant *= SMALLER,
-            _ => return None,
+            _ => return Ok(None),
         }
     }
-    None
+    Ok(None)
 }
 
 impl RunResult {
@@ -314,5 +335,45 @@ impl Counts {
         count(&[14], work.secondary);
         count(&[15, 16, 17, 18], work.pushes);
         Self { element_steps: work.elements, equations }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene_file;
+
+    /// The first trials break off, the last one runs to its end. What those take is counted in runs of
+    /// their scenes, whose results leave out the broken step s, of up to s elements; the last is reckoned
+    /// with all elements in all steps.
+    #[test]
+    fn a_search_is_given_up_before_it_takes_more_than_it_may() {
+        let mut scene =
+            scene_file::read(include_str!("../verification/scenes/hardening.json")).unwrap();
+        scene.primary.material.artificial_viscosity = None;
+        scene.courant = 0.83;
+        let Outcome::CourantExceeded { courant: exceeded, would_serve: Some(serves), .. } =
+            run(&scene, |_| ()).outcome
+        else {
+            panic!("0.83 serves, or nothing does")
+        };
+        let (mut taken, mut broken, mut trials) = (0, 0, 0);
+        let mut trial = Scene { courant: scene.courant / exceeded, ..scene.clone() };
+        let needed = loop {
+            let result = run(&trial, |_| ());
+            trials += 1;
+            if result.outcome.is_completed() {
+                break result.steps * 240;
+            }
+            taken += result.counts.element_steps;
+            broken += result.steps + 1;
+            trial.courant *= 0.95;
+        };
+        assert_eq!(trial.courant, serves);
+        assert!(trials > 2 && taken > 1000, "{trials} {taken}");
+        let paper = Corrected::<Engineering>::new(scene.corrections);
+        let search = |most: u64| serving_courant(&Plain, &paper, &scene, exceeded, most as f64);
+        assert_eq!(search(taken + broken + needed), Ok(Some(serves)));
+        assert_eq!(search(taken + needed), Err(GivenUp));
     }
 }

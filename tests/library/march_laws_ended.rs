@@ -5,7 +5,7 @@ use crossfibre::corrected::{Corrected, Engineering};
 use crossfibre::march;
 use crossfibre::material::Update;
 use crossfibre::outcome::Outcome;
-use crossfibre::result;
+use crossfibre::result::{self, MOST_SEARCHED};
 use crossfibre::scene::{Law, Scene};
 use crossfibre::state::{State, Wavefront};
 
@@ -91,6 +91,27 @@ fn the_courant_number_that_would_serve_serves_and_a_twentieth_more_does_not() {
         let more = run(serves / 0.95);
         assert!(matches!(more, Outcome::CourantExceeded { .. }), "{serves}: {more}");
     }
+}
+
+/// The run breaks off in its first steps; all of it, and any trial with a smaller Courant number, would be
+/// more than 1e9 element-steps.
+#[test]
+fn the_search_for_a_courant_number_that_would_serve_is_bounded() {
+    let mut scene = polynomial(1.93e12, 0.83);
+    scene.primary.elements = 47_000;
+    assert!(steps(&scene) as f64 * 47e3 > MOST_SEARCHED);
+    let outcome = result::run(&scene, |_| ()).outcome;
+    let Outcome::CourantExceeded { would_serve, search_given_up, .. } = outcome else {
+        panic!("{outcome}")
+    };
+    assert_eq!((would_serve, search_given_up), (None, true));
+    assert!(outcome.to_string().contains("given up before 1e9 element-steps"), "{outcome}");
+    // Written, and read again; of a search that came to an end there is no word.
+    let text = serde_json::to_string(&outcome).unwrap();
+    assert_eq!(serde_json::from_str::<Outcome>(&text).unwrap(), outcome);
+    scene.primary.elements = 240;
+    let text = serde_json::to_string(&result::run(&scene, |_| ()).outcome).unwrap();
+    assert!(text.contains("would_serve") && !text.contains("given_up"), "{text}");
 }
 
 #[test]

@@ -12,6 +12,9 @@ use std::time::{Duration, Instant};
 
 use assert_cmd::cargo::cargo_bin;
 use cli_support::scenes;
+use crossfibre_verification::precision::stored::stored;
+use crossfibre_verification::precision::{QUICK, STUDY, points};
+use crossfibre_verification::sweep::folder::Folder;
 use rustix::process::{Pid, Signal, kill_process};
 
 /// The command in a folder. Where the tests themselves run with interrupts ignored, as behind `&` in a
@@ -22,6 +25,7 @@ fn start(folder: &Path, arguments: &[&str]) -> Child {
         .arg(cargo_bin!("crossfibre"))
         .args(arguments)
         .current_dir(folder)
+        .env("TMPDIR", folder.join("scratch"))
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
@@ -90,4 +94,27 @@ fn an_interrupted_study_leaves_whole_points_and_goes_on_from_them() {
     let mut again = start(folder.path(), &arguments);
     until(&mut again, || names(&points).len() > left.len());
     interrupted(again, Signal::INT);
+}
+
+/// The runs are those of the stored record, so that the study goes straight to its timings. Their folder
+/// is made first, and the turns take many seconds.
+#[test]
+fn an_interrupted_timing_leaves_no_scratch_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let scratch = folder.path().join("scratch");
+    fs::create_dir(&scratch).unwrap();
+    let points = points(QUICK);
+    let store = folder.path().join("points");
+    let store = Folder::open(&store, STUDY, &points).unwrap();
+    let entries = stored().entries.iter().filter(|entry| entry.refinement <= QUICK);
+    for (point, entry) in points.iter().zip(entries) {
+        store.store(point, &entry.found).unwrap();
+    }
+    let arguments =
+        ["study", "work-precision", "--quick", "--points", "points", "--out", "pictures"];
+    let mut child = start(folder.path(), &arguments);
+    until(&mut child, || !names(&scratch).is_empty());
+    interrupted(child, Signal::INT);
+    assert_eq!(names(&scratch), [""; 0]);
+    assert_eq!(names(&folder.path().join("pictures")), [""; 0]);
 }

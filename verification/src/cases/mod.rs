@@ -57,7 +57,9 @@ pub enum Bound {
     /// A fault that must show: at least this, and not over eight times it.
     AtLeast(f64),
     /// From the first to the second. A window of one sign spans at most a factor of eight. One that holds
-    /// zero is at most 1 wide: it is of orders and shares, where 1 is the step to the next.
+    /// zero is at most 1 wide: it is of orders and shares, where 1 is the step to the next. One from zero
+    /// on is of an error that may be none at all, as where two searches end on one grid; if it is
+    /// something, the end is not over eight times it.
     Within(f64, f64),
 }
 
@@ -102,7 +104,10 @@ impl Check {
             Bound::Exactly(expected) => (x.to_bits() == expected.to_bits(), false),
             Bound::AtMost(most) => (x <= most, x * HEAD_ROOM < most),
             Bound::AtLeast(least) => (x >= least, x > HEAD_ROOM * least),
-            Bound::Within(low, high) => (low <= x && x <= high, is_wide(low, high)),
+            Bound::Within(low, high) => {
+                let is_far = low == 0.0 && x != 0.0 && x * HEAD_ROOM < high;
+                (low <= x && x <= high, is_wide(low, high) || is_far)
+            }
         };
         match (kept, loose) {
             (false, _) => Verdict::Failed,
@@ -115,7 +120,10 @@ impl Check {
     /// bounds that are no such factor.
     pub fn head_room(&self) -> Option<f64> {
         let factor = match self.bound {
-            Bound::AtMost(most) if self.measured != 0.0 => most / self.measured,
+            Bound::Within(low, _) if low != 0.0 => return None,
+            Bound::AtMost(most) | Bound::Within(_, most) if self.measured != 0.0 => {
+                most / self.measured
+            }
             Bound::AtLeast(least) => self.measured / least,
             _ => return None,
         };
@@ -243,6 +251,11 @@ mod tests {
         assert_eq!(window(-0.2, 0.83, 0.072), Verdict::Loose);
         assert_eq!(window(0.0, 1.03, 0.0), Verdict::Loose);
         assert_eq!(window(-0.2, 0.83, 0.91), Verdict::Failed);
+        // From zero on: factors of 7.9 and 8.1, and nothing to hold the end to.
+        assert_eq!(window(0.0, 3.16e-7, 4e-8), Verdict::Passed);
+        assert_eq!(window(0.0, 3.24e-7, 4e-8), Verdict::Loose);
+        assert_eq!(window(0.0, 3.24e-7, 0.0), Verdict::Passed);
+        assert_eq!(window(0.0, 3.24e-7, -4e-8), Verdict::Failed);
     }
 
     #[test]
@@ -277,6 +290,8 @@ mod tests {
         };
         assert_eq!(of(0.125, Bound::AtMost(0.5)), Some(4.0));
         assert_eq!(of(0.75, Bound::AtLeast(0.25)), Some(3.0));
+        assert_eq!(of(0.125, Bound::Within(0.0, 0.75)), Some(6.0));
+        assert_eq!(of(0.125, Bound::Within(-0.5, 0.75)), None);
         for bound in [Bound::AtMost(0.5), Bound::Exactly(0.0), Bound::Within(0.0, 0.7)] {
             assert_eq!(of(0.0, bound), None, "{bound:?}");
         }

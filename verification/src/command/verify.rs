@@ -136,7 +136,7 @@ fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
 
 /// The end of all cases: the reports; whether the one to compare with is stale.
 fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
-    let out = args.out.as_deref().unwrap_or(Path::new("target/verification"));
+    let out = args.out.as_deref().unwrap_or(Path::new(report::FOLDER));
     let record = Record::around(records);
     let files = written(&record);
     report::write(out, &files)?;

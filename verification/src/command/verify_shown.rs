@@ -97,6 +97,7 @@ fn line(case: &CaseRecord) -> String {
 
 /// Every check that did not pass, with its numbers and what to do next; nothing if all did.
 pub fn failures(records: &[CaseRecord], to: &mut impl Write) -> io::Result<()> {
+    let ordinary = all();
     for case in records.iter().filter(|case| case.troubles().next().is_some()) {
         writeln!(to, "\n{BAD}FAILED{BAD:#} {}: {}", case.id, case.title)?;
         for trouble in case.troubles() {
@@ -111,7 +112,8 @@ pub fn failures(records: &[CaseRecord], to: &mut impl Write) -> io::Result<()> {
         for page in &case.derivation {
             writeln!(to, "  derived in: {}", page.path)?;
         }
-        let full = if all().iter().any(|ordinary| ordinary.id == case.id) { "" } else { "--full " };
+        let is_ordinary = ordinary.iter().any(|ordinary| ordinary.id == case.id);
+        let full = if is_ordinary { "" } else { "--full " };
         writeln!(to, "  again:      crossfibre verify {full}--filter {}", case.id)?;
     }
     Ok(())

@@ -1,11 +1,13 @@
 //! Machine instructions of a command, counted by callgrind.
 
-use std::io::Write;
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result};
 use crossfibre::scene::Scene;
+
+use crate::interrupt::Scratch;
 
 /// Whether there is anything to count with.
 pub fn has_callgrind() -> bool {
@@ -14,13 +16,14 @@ pub fn has_callgrind() -> bool {
 
 /// Instructions that a command takes with a scene, from start to end.
 pub fn instructions(program: &Path, command: &[&str], scene: &Scene) -> Result<f64> {
-    let mut file = tempfile::NamedTempFile::new()?;
-    file.write_all(&serde_json::to_vec(scene)?)?;
+    let folder = Scratch::new()?;
+    let file = folder.path().join("scene.json");
+    fs::write(&file, serde_json::to_vec(scene)?)?;
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(program)
         .args(command)
-        .arg(file.path())
+        .arg(&file)
         .output()
         .context("valgrind cannot be started")?;
     let said = String::from_utf8_lossy(&output.stderr);

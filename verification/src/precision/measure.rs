@@ -13,7 +13,6 @@ use crossfibre::paper::Paper;
 use crossfibre::result::{WithPaper, with_paper};
 use crossfibre::scene::{Scene, Strain};
 use indicatif::ProgressBar;
-use tempfile::TempDir;
 
 use super::exact::Exact;
 use super::problems::Problem;
@@ -24,6 +23,7 @@ use super::variants::{Precision, Variant};
 use super::{VARIANTS, run_of};
 use crate::closed_form;
 use crate::cost::instructions::{has_callgrind, instructions};
+use crate::interrupt::Scratch;
 use crate::oracle::motion;
 use crate::timing::machine::{Machine, calibration};
 use crate::timing::{Contestant, Timed, Turn, clocked, march, program, turns};
@@ -68,7 +68,7 @@ pub fn times(record: &Record, effort: Effort) -> Result<(Times, Vec<String>)> {
     if effort.instructions && !counted {
         notes.push("valgrind is not there: no instructions are counted".into());
     }
-    let folder = tempfile::tempdir().context("no folder for scenes can be made")?;
+    let folder = Scratch::new().context("no folder for scenes can be made")?;
     let loops = turns(effort.rounds, &mut [calibration()])?;
     let bar = ProgressBar::new(2 * Problem::ALL.len() as u64);
     let (mut runs, mut exact) = (Vec::new(), Vec::new());
@@ -151,7 +151,7 @@ fn marches<'a>(
     record: &Record,
     problem: Problem,
     engine: Option<&PathBuf>,
-    folder: &TempDir,
+    folder: &Scratch,
 ) -> Result<Vec<(Who, Contestant<'a>)>> {
     let mut all = Vec::new();
     for variant in VARIANTS {

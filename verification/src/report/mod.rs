@@ -17,6 +17,9 @@ use crate::output::Destination;
 use crate::record::Record;
 use crate::sensitivity::page::page;
 
+/// Where `verify` writes the reports of all cases, from the root of a clone.
+pub const FOLDER: &str = "target/verification";
+
 /// Every report, by the name of its file.
 pub fn files(record: &Record) -> Vec<(&'static str, String)> {
     let mut files = vec![

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::claims::Finding;
 use crate::record::{CaseRecord, CheckRecord, Record};
 use crate::report::words::{advice, argument, bound, cell, count, line, number};
+use crate::sensitivity::matrix::Matrix;
 
 /// The most failures that are told one by one.
 const MOST: usize = 20;
@@ -36,17 +37,7 @@ pub fn render(record: &Record) -> String {
     );
     failures(&mut out, record);
     if let Some(matrix) = &record.sensitivity {
-        let caught = |row: &&crate::sensitivity::matrix::Row| {
-            (0..matrix.checks.len()).any(|check| row.is_caught_by(matrix, check))
-        };
-        let _ = writeln!(
-            out,
-            "{} of {} are noticed by some check; {} by none.\n",
-            matrix.faults.iter().filter(caught).count(),
-            count(matrix.faults.len(), "planted fault"),
-            count(matrix.idle().count(), "check")
-                + " that no fault moves, and faults that are noticed"
-        );
+        let _ = writeln!(out, "{}\n", planted(matrix));
     }
     let _ = writeln!(
         out,
@@ -60,6 +51,22 @@ pub fn render(record: &Record) -> String {
     out += "In full: `report.html` and `VALIDATION.md` of this job; how things are derived: \
             [docs/exact](docs/exact); how to change them: [CONTRIBUTING.md](CONTRIBUTING.md).\n";
     out
+}
+
+/// What the checks make of planted faults.
+fn planted(matrix: &Matrix) -> String {
+    let faults = count(matrix.faults.len(), "planted fault");
+    let checks = count(matrix.checks.len(), "check");
+    let (missed, idle) = (matrix.missed().count(), matrix.idle().count());
+    if (missed, idle) == (0, 0) {
+        return format!("Of {faults} all are noticed.");
+    }
+    format!(
+        "Of {faults} {} are noticed by some check, {missed} by none. Of {checks} {} notice some planted \
+         fault, {idle} none.",
+        matrix.noticed().count(),
+        matrix.checks.len() - idle,
+    )
 }
 
 fn failures(out: &mut String, record: &Record) {
@@ -120,6 +127,23 @@ mod tests {
         let cells = |row: &str| row.replace("\\\\", "").replace("\\|", "").matches('|').count();
         assert!(rows.clone().count() >= 7);
         assert!(rows.clone().all(|row| cells(row) == 7), "{text}");
+    }
+
+    /// Of the made-up faults one makes two of the four checks fail, one stops their case, and one is
+    /// noticed by nothing.
+    #[test]
+    fn what_the_checks_make_of_planted_faults_is_two_statements_or_that_all_are_noticed() {
+        let mut matrix = made_up::passing().sensitivity.unwrap();
+        let all_but_one = "Of 3 planted faults 2 are noticed by some check, 1 by none. Of 4 checks 4 notice some \
+                           planted fault, 0 none.";
+        assert_eq!(planted(&matrix), all_but_one);
+        let unseen = matrix.faults.pop();
+        assert_eq!(planted(&matrix), "Of 2 planted faults all are noticed.");
+        matrix.faults.pop();
+        matrix.faults.extend(unseen);
+        let two_idle = "Of 2 planted faults 1 are noticed by some check, 1 by none. Of 4 checks 2 notice some \
+                        planted fault, 2 none.";
+        assert_eq!(planted(&matrix), two_idle);
     }
 
     #[test]

@@ -39,12 +39,8 @@ pub struct Judgement<'a> {
 /// Judges it.
 pub fn judge(matrix: &Matrix) -> Judgement<'_> {
     let misjudged = |row| {
-        (0..matrix.checks.len()).filter(move |&i| Row::is_caught_by(row, matrix, i)).filter_map(
-            move |i| {
-                let check = &matrix.checks[i];
-                (!is_of_bits(check)).then_some((row, check))
-            },
-        )
+        let falling = matrix.noticing(row).map(|check| &matrix.checks[check]);
+        falling.filter(|check| !is_of_bits(check)).map(move |check| (row, check))
     };
     Judgement {
         matrix,
@@ -63,8 +59,8 @@ impl Judgement<'_> {
     /// What is wrong, a line each, with what to do.
     pub fn lines(&self) -> Vec<String> {
         let missed = self.missed.iter().map(|row| {
-            let by_all = self.matrix.count(row);
-            let who = if by_all == 0 { "no check" } else { "no quick check" };
+            let by_any = self.matrix.noticing(row).next().is_some();
+            let who = if by_any { "no quick check" } else { "no check" };
             format!("{who} notices `{}` ({}: {}): a check is missing", row.id, row.group, row.what)
         });
         let idle = self.idle.iter().map(|check| {

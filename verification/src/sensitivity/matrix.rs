@@ -48,41 +48,109 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether this check of the matrix notices the fault.
-    pub fn is_caught_by(&self, matrix: &Matrix, check: usize) -> bool {
-        self.caught_by.contains(&check) || self.stopped.contains(&matrix.checks[check].case)
+    /// Whether a case comes to no end with the fault.
+    pub fn stops(&self, case: &str) -> bool {
+        self.stopped.iter().any(|stopped| stopped == case)
     }
 }
 
 impl Matrix {
-    /// The faults that a check notices.
-    pub fn caught_by(&self, check: usize) -> impl Iterator<Item = &Row> {
-        self.faults.iter().filter(move |row| row.is_caught_by(self, check))
+    fn notices(&self, check: usize, row: &Row) -> bool {
+        row.caught_by.contains(&check) || row.stops(&self.checks[check].case)
     }
 
-    /// The faults that a case notices.
-    pub fn caught_by_case<'a>(&'a self, case: &'a str) -> impl Iterator<Item = &'a Row> {
-        let checks: Vec<_> =
-            (0..self.checks.len()).filter(|&i| self.checks[i].case == case).collect();
-        self.faults.iter().filter(move |row| checks.iter().any(|&i| row.is_caught_by(self, i)))
+    /// The checks that notice a fault, by their indices: they fail, or their case comes to no end.
+    pub fn noticing(&self, row: &Row) -> impl Iterator<Item = usize> {
+        (0..self.checks.len()).filter(|&check| self.notices(check, row))
     }
 
-    /// How many checks notice a fault.
-    pub fn count(&self, row: &Row) -> usize {
-        (0..self.checks.len()).filter(|&i| row.is_caught_by(self, i)).count()
+    /// The cases that notice a fault, each once, in their order.
+    pub fn cases_noticing(&self, row: &Row) -> Vec<&str> {
+        each_once(self.noticing(row).map(|check| self.checks[check].case.as_str()))
+    }
+
+    /// All cases, each once, in their order.
+    pub fn cases(&self) -> Vec<&str> {
+        each_once(self.checks.iter().map(|check| check.case.as_str()))
+    }
+
+    /// The faults that some check notices.
+    pub fn noticed(&self) -> impl Iterator<Item = &Row> {
+        self.faults.iter().filter(|row| self.noticing(row).next().is_some())
+    }
+
+    /// Faults that no check notices.
+    pub fn missed(&self) -> impl Iterator<Item = &Row> {
+        self.faults.iter().filter(|row| self.noticing(row).next().is_none())
     }
 
     /// Faults that no check of the quick set notices.
     pub fn missed_by_quick(&self) -> impl Iterator<Item = &Row> {
-        self.faults.iter().filter(|row| {
-            !(0..self.checks.len()).any(|i| self.checks[i].quick && row.is_caught_by(self, i))
-        })
+        self.faults.iter().filter(|row| !self.noticing(row).any(|check| self.checks[check].quick))
+    }
+
+    /// The faults that a check notices.
+    pub fn noticed_by(&self, check: usize) -> impl Iterator<Item = &Row> {
+        self.faults.iter().filter(move |row| self.notices(check, row))
+    }
+
+    /// The faults that a case notices.
+    pub fn noticed_by_case(&self, case: &str) -> impl Iterator<Item = &Row> {
+        let of_case: Vec<_> =
+            (0..self.checks.len()).filter(|&check| self.checks[check].case == case).collect();
+        self.faults.iter().filter(move |row| of_case.iter().any(|&check| self.notices(check, row)))
     }
 
     /// Checks that notice no fault.
     pub fn idle(&self) -> impl Iterator<Item = &Column> {
         (0..self.checks.len())
-            .filter(|&i| self.caught_by(i).next().is_none())
-            .map(|i| &self.checks[i])
+            .filter(|&check| self.noticed_by(check).next().is_none())
+            .map(|check| &self.checks[check])
+    }
+}
+
+/// Names of which the same stand together, each once.
+fn each_once<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut each: Vec<_> = names.collect();
+    each.dedup();
+    each
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A check notices by failing or by its case coming to no end, and a case by any of its checks.
+    #[test]
+    fn a_check_that_fails_and_one_that_was_stopped_both_notice() {
+        let column = |case: &str| Column { case: case.into(), claim: String::new(), quick: false };
+        let row = |caught_by: &[usize], stopped: &[&str]| Row {
+            id: String::new(),
+            group: String::new(),
+            what: String::new(),
+            caught_by: caught_by.to_vec(),
+            stopped: stopped.iter().map(|&case| case.into()).collect(),
+        };
+        let matrix = Matrix {
+            format: FORMAT.into(),
+            version: String::new(),
+            checks: ["a", "a", "b", "b", "c"].map(column).into(),
+            faults: vec![row(&[1], &["b"]), row(&[], &[]), row(&[0], &[])],
+            rewrites: vec![],
+        };
+        let [both, none, one] = &matrix.faults[..] else { unreachable!() };
+        let noticing = |row| matrix.noticing(row).collect::<Vec<_>>();
+        assert_eq!(
+            (noticing(both), noticing(none), noticing(one)),
+            (vec![1, 2, 3], vec![], vec![0])
+        );
+        assert_eq!(matrix.cases(), ["a", "b", "c"]);
+        assert_eq!(matrix.cases_noticing(both), ["a", "b"]);
+        assert_eq!(matrix.noticed().collect::<Vec<_>>(), [both, one]);
+        assert_eq!(matrix.missed().collect::<Vec<_>>(), [none]);
+        assert_eq!(matrix.noticed_by(3).collect::<Vec<_>>(), [both]);
+        assert_eq!(matrix.noticed_by_case("a").collect::<Vec<_>>(), [both, one]);
+        assert_eq!(matrix.missed_by_quick().count(), 3);
+        assert_eq!(matrix.idle().map(|check| check.case.as_str()).collect::<Vec<_>>(), ["c"]);
     }
 }

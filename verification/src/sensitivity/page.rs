@@ -33,7 +33,7 @@ pub fn groups(matrix: &Matrix) -> String {
             let of_group: Vec<&Row> =
                 matrix.faults.iter().filter(|row| row.group == name).collect();
             let noticed = of_group.iter().filter(|row| !missed.contains(&row.id.as_str())).count();
-            let fewest = of_group.iter().map(|row| matrix.count(row)).min().unwrap_or(0);
+            let fewest = of_group.iter().map(|row| matrix.noticing(row).count()).min().unwrap_or(0);
             [cell(name), of_group.len().to_string(), noticed.to_string(), fewest.to_string()]
                 .to_vec()
         })
@@ -91,8 +91,8 @@ fn rewrites(matrix: &Matrix) -> String {
 }
 
 fn falling(matrix: &Matrix, row: &Row) -> String {
-    let names: Vec<String> = (0..matrix.checks.len())
-        .filter(|&i| row.is_caught_by(matrix, i))
+    let names: Vec<String> = matrix
+        .noticing(row)
         .map(|i| format!("{}: {}", cell(&matrix.checks[i].case), cell(&matrix.checks[i].claim)))
         .collect();
     if names.is_empty() { "none".into() } else { names.join("; ") }
@@ -107,7 +107,7 @@ fn faults(matrix: &Matrix) -> String {
                 format!("`{}`", cell(&row.id).replace('`', "'")),
                 cell(&row.group),
                 cell(&row.what),
-                matrix.count(row).to_string(),
+                matrix.noticing(row).count().to_string(),
                 cases(matrix, row),
             ]
         })
@@ -118,20 +118,10 @@ fn faults(matrix: &Matrix) -> String {
     )
 }
 
-/// The cases that notice a fault, each once.
+/// The cases that notice a fault.
 fn cases(matrix: &Matrix, row: &Row) -> String {
-    let mut names: Vec<String> = Vec::new();
-    for (i, check) in matrix.checks.iter().enumerate() {
-        if row.is_caught_by(matrix, i) {
-            let stopped = row.stopped.contains(&check.case);
-            let name = cell(&check.case);
-            let name = if stopped { format!("*{name}*") } else { name };
-            if names.last() != Some(&name) {
-                names.push(name);
-            }
-        }
-    }
-    names.join(", ")
+    let name = |case| if row.stops(case) { format!("*{}*", cell(case)) } else { cell(case) };
+    matrix.cases_noticing(row).into_iter().map(name).collect::<Vec<_>>().join(", ")
 }
 
 fn checks(matrix: &Matrix) -> String {
@@ -145,7 +135,7 @@ fn checks(matrix: &Matrix) -> String {
                 check.case.clone(),
                 cell(&check.claim),
                 quick.into(),
-                matrix.caught_by(i).count().to_string(),
+                matrix.noticed_by(i).count().to_string(),
             ]
         })
         .collect();

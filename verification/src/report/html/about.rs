@@ -2,8 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::parts::{file, table, text};
+use super::parts::{link, table, text};
 use crate::record::{Record, SceneDigest};
+use crate::report::FOLDER;
 use crate::report::words::{line, visible};
 
 /// All of it.
@@ -18,19 +19,16 @@ pub fn about(record: &Record) -> Markup {
     ];
     let scene = |scene: &SceneDigest| {
         let path = format!("verification/scenes/{}.json", scene.name);
-        vec![
-            super::parts::link(&scene.name, &path),
-            text(&scene.title),
-            html! { code { (line(&scene.digest)) } },
-        ]
+        vec![link(&scene.name, &path), text(&scene.title), html! { code { (line(&scene.digest)) } }]
     };
     html! {
         p { "This page is a function of " code { "report.json" } " alone: "
             code { "crossfibre report --from report.json" } " makes the same bytes again." }
         dl.pairs { @for (name, value) in rows { dt { (name) } dd { (value) } } }
-        p { "Paths are from the root of the repository. To read on: "
-            (file("the scheme, step by step", "docs/scheme.md")) "; "
-            (file("file formats", "docs/formats.md")) "." }
+        p { "Paths are from the root of the repository. The links to them lead there from "
+            code { (FOLDER) } ", where " code { "verify" } " writes this page; from elsewhere they do not."
+            " To read on: " (link("the scheme, step by step", "docs/scheme.md")) "; "
+            (link("file formats", "docs/formats.md")) "." }
         details {
             summary { "One step by hand: the crossover's node in the step after the wave has come" }
             div.wide tabindex="0" role="region" aria-label="One step by hand" {

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::parts::{duration, file, link, text};
+use super::parts::{duration, link, text};
 use super::tolerances::{bar, strip};
 use crate::cases::Verdict;
 use crate::record::{CaseRecord, CheckRecord, Record};
@@ -74,7 +74,7 @@ fn facts(record: &Record, case: &CaseRecord) -> Markup {
             dt { "equations" }
             dd { @if case.equations.is_empty() { "none of the scheme" } @else { (equations(&case.equations)) } }
             dt { "derivation" }
-            dd { @for page in &case.derivation { (file(&page.title, &page.path)) br; } }
+            dd { @for page in &case.derivation { (link(&page.title, &page.path)) br; } }
             dt { "run it alone" }
             dd { code { (again) } ", " (duration(case.seconds)) ", " (quick) " " code { "verify --quick" } }
             @if !case.pictures.is_empty() {
@@ -91,7 +91,7 @@ fn facts(record: &Record, case: &CaseRecord) -> Markup {
 /// The faults that a case is known to notice.
 fn catches(record: &Record, case: &CaseRecord) -> Markup {
     let Some(matrix) = &record.sensitivity else { return html! {} };
-    let faults: Vec<_> = matrix.caught_by_case(&case.id).collect();
+    let faults: Vec<_> = matrix.noticed_by_case(&case.id).collect();
     html! {
         details.faults {
             summary { "Catches " (count(faults.len(), "planted fault")) " of " (matrix.faults.len()) }

@@ -59,8 +59,7 @@ fn passed(record: &Record) -> Markup {
                 li { (number_of(Verdict::Failed)) " out of bounds, " (number_of(Verdict::Loose))
                     " with a bound too loose, " (number_of(Verdict::Redundant)) " said twice" }
                 @if let Some(matrix) = &record.sensitivity {
-                    @let caught = super::matrix::caught(matrix);
-                    li { (caught) " of " (count(matrix.faults.len(), "planted fault")) " noticed" }
+                    li { (matrix.noticed().count()) " of " (count(matrix.faults.len(), "planted fault")) " noticed" }
                 }
             }
             p.more { a href="#cases" { "Every case" } " · " a href="#tolerances" { "every tolerance" } }

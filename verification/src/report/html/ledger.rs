@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::parts::{file, table, text};
+use super::parts::{link, table, text};
 use crate::claims::{Claim, Finding};
 use crate::ledger_effects::{CrossoverRow, ProjectileRow};
 use crate::record::{LedgerLine, Record};
@@ -57,7 +57,7 @@ pub fn ledger(record: &Record) -> Markup {
         (crossover(record))
         p { "A projectile of 0.7 g against a fibre of 0.72 g, 400 m/s, 80 µs." }
         (projectile(record))
-        p { "Where these are derived: " (file("departures from the page", "VALIDATION.md#departures-from-the-page"))
+        p { "Where these are derived: " (link("departures from the page", "VALIDATION.md#departures-from-the-page"))
             "." }
     }
 }

@@ -8,48 +8,6 @@ use crate::record::Record;
 use crate::report::words::{count, visible};
 use crate::sensitivity::matrix::{Matrix, Row};
 
-/// How many faults some check notices.
-pub fn caught(matrix: &Matrix) -> usize {
-    matrix.faults.iter().filter(|row| !checks(matrix, row).is_empty()).count()
-}
-
-/// The checks that notice a fault.
-fn checks(matrix: &Matrix, row: &Row) -> Vec<usize> {
-    (0..matrix.checks.len()).filter(|&check| row.is_caught_by(matrix, check)).collect()
-}
-
-/// The cases of a matrix in their order.
-fn cases(matrix: &Matrix) -> Vec<&str> {
-    let mut cases: Vec<&str> = Vec::new();
-    for check in &matrix.checks {
-        if cases.last() != Some(&check.case.as_str()) && !cases.contains(&check.case.as_str()) {
-            cases.push(&check.case);
-        }
-    }
-    cases
-}
-
-/// How a case notices a fault.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Notice {
-    /// It does not.
-    No,
-    /// A check fails.
-    Fails,
-    /// It comes to no end.
-    Stops,
-}
-
-fn notice(matrix: &Matrix, row: &Row, case: &str) -> Notice {
-    if row.stopped.iter().any(|stopped| stopped == case) {
-        Notice::Stops
-    } else if row.caught_by.iter().any(|&k| matrix.checks.get(k).is_some_and(|c| c.case == case)) {
-        Notice::Fails
-    } else {
-        Notice::No
-    }
-}
-
 /// The picture and the tables, or that there are none.
 pub fn matrix(record: &Record) -> Markup {
     let Some(matrix) = &record.sensitivity else {
@@ -57,13 +15,12 @@ pub fn matrix(record: &Record) -> Markup {
             p { "This record does not say: the checks were not tried on planted faults when it was made." }
         };
     };
-    let (all, caught) = (matrix.faults.len(), caught(matrix));
-    let missed: Vec<&Row> =
-        matrix.faults.iter().filter(|row| checks(matrix, row).is_empty()).collect();
+    let (all, noticed) = (matrix.faults.len(), matrix.noticed().count());
+    let missed: Vec<_> = matrix.missed().collect();
     let idle: Vec<_> = matrix.idle().collect();
     html! {
         p { "A check that has never been seen to fail is no check. Each row is a fault that was planted, each column a "
-            "case that was run with it. " strong { (caught) " of " (count(all, "fault")) " are noticed" }
+            "case that was run with it. " strong { (noticed) " of " (count(all, "fault")) " are noticed" }
             "; the quick set alone leaves " (matrix.missed_by_quick().count()) " unnoticed. Of "
             (count(matrix.checks.len(), "check")) " " (idle.len()) " notice none." }
         @if !missed.is_empty() {
@@ -79,7 +36,7 @@ pub fn matrix(record: &Record) -> Markup {
         @if !matrix.rewrites.is_empty() {
             details { summary { (count(matrix.rewrites.len(), "rewrite")) " that must pass: the same in algebra" }
                 ul { @for row in &matrix.rewrites { li { code { (visible(&row.id)) } " " (visible(&row.what)) ": fails "
-                    (count(row.caught_by.len(), "check")) } } } }
+                    (count(matrix.noticing(row).count(), "check")) } } } }
         }
     }
 }
@@ -90,7 +47,7 @@ const LEFT: usize = 250;
 const TOP: usize = 150;
 
 fn picture(matrix: &Matrix) -> Markup {
-    let cases = cases(matrix);
+    let cases = matrix.cases();
     let (width, height) = (LEFT + CELL * cases.len() + 90, TOP + CELL * matrix.faults.len() + 4);
     let label = format!(
         "Matrix of {} and {}: a filled cell is a fault that the case notices",
@@ -112,8 +69,9 @@ fn picture(matrix: &Matrix) -> Markup {
                         text.group x="0" y=(y + CELL - 2) { (visible(&row.group)) }
                     }
                     text x=(LEFT - 8) y=(y + CELL - 2) text-anchor="end" { (short(&row.id)) }
-                    path.fails d=(cells(matrix, row, &cases, Notice::Fails, y)) {}
-                    path.stops d=(cells(matrix, row, &cases, Notice::Stops, y)) {}
+                    @let noticing = matrix.cases_noticing(row);
+                    path.fails d=(cells(&cases, y, |case| noticing.contains(&case) && !row.stops(case))) {}
+                    path.stops d=(cells(&cases, y, |case| row.stops(case))) {}
                 }
             }
             p.key { span.box.fails {} " a check fails  " span.box.stops {} " the case comes to no end" }
@@ -131,10 +89,10 @@ fn short(name: &str) -> String {
     }
 }
 
-/// The cells of a row with one kind of notice, as a path.
-fn cells(matrix: &Matrix, row: &Row, cases: &[&str], of: Notice, y: usize) -> String {
+/// The cells of a row for some of the cases, as a path.
+fn cells(cases: &[&str], y: usize, is_filled: impl Fn(&str) -> bool) -> String {
     let side = CELL - 1;
-    let at = cases.iter().enumerate().filter(|(_, case)| notice(matrix, row, case) == of);
+    let at = cases.iter().enumerate().filter(|(_, case)| is_filled(case));
     at.map(|(k, _)| format!("M{} {y}h{side}v{side}h-{side}z", LEFT + CELL * k)).collect()
 }
 
@@ -146,15 +104,12 @@ fn numbers(matrix: &Matrix) -> Markup {
         ("cases", true),
         ("what is done instead", true),
     ];
-    let cases = cases(matrix);
     let row = |row: &Row| {
-        let noticing: Vec<&str> =
-            cases.iter().copied().filter(|case| notice(matrix, row, case) != Notice::No).collect();
         vec![
             html! { code { (visible(&row.id)) } },
             text(&row.group),
-            html! { (checks(matrix, row).len()) },
-            html! { @for case in noticing { a href={ "#" (place(case)) } { (visible(case)) } " " } },
+            html! { (matrix.noticing(row).count()) },
+            html! { @for case in matrix.cases_noticing(row) { a href={ "#" (place(case)) } { (visible(case)) } " " } },
             text(&row.what),
         ]
     };

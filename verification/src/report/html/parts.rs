@@ -51,18 +51,21 @@ pub fn text(text: &str) -> Markup {
     }
 }
 
-/// A link to a place in this page or to a file of the repository; other addresses stay text.
+/// The root of the repository from where `verify` writes the page, [`crate::report::FOLDER`].
+const ROOT: &str = "../../";
+
+/// A link to a place in this page, or to a file of the repository with its path in plain sight, since the
+/// page may stand alone; other addresses are left out.
 pub fn link(words: &str, address: &str) -> Markup {
     let (words, address) = (visible(words), visible(address));
-    let is_safe = ["#", "docs/", "VALIDATION.md", "CONTRIBUTING.md", "verification/scenes/"]
+    let is_file = ["docs/", "VALIDATION.md", "CONTRIBUTING.md", "verification/scenes/"]
         .iter()
         .any(|start| address.starts_with(start));
-    html! { @if is_safe { a href=(address) { (words) } } @else { (words) } }
-}
-
-/// A link to a file of the repository, with its path in plain sight: the page may stand alone.
-pub fn file(words: &str, path: &str) -> Markup {
-    html! { (link(words, path)) " " code.path { (visible(path)) } }
+    html! {
+        @if address.starts_with('#') { a href=(address) { (words) } }
+        @else if is_file { a href={ (ROOT) (address) } { (words) } " " code.path { (address) } }
+        @else { (words) }
+    }
 }
 
 /// Seconds in the unit that suits them.
@@ -113,11 +116,17 @@ pub fn data_uri(svg: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::FOLDER;
 
     #[test]
     fn an_address_holds_nothing_that_ends_it() {
         let uri = data_uri("<a b=\"#%'&\nµ\">\u{0}</a>");
         assert_eq!(uri, "data:image/svg+xml,%3Ca b=%22%23%25%27%26 %C2%B5%22%3E%00%3C/a%3E");
+    }
+
+    #[test]
+    fn links_lead_from_the_folder_of_reports_to_the_root() {
+        assert_eq!("../".repeat(FOLDER.split('/').count()), ROOT);
     }
 
     #[test]
@@ -128,7 +137,9 @@ mod tests {
 
     #[test]
     fn only_places_of_this_project_are_linked() {
-        assert!(link("x", "docs/exact/smith.md#range").into_string().starts_with("<a href="));
+        let range = "<a href=\"../../docs/exact/smith.md#range\">x</a> <code class=\"path\">docs/exact/smith.md#range</code>";
+        assert_eq!(link("x", "docs/exact/smith.md#range").into_string(), range);
+        assert_eq!(link("x", "#cases").into_string(), "<a href=\"#cases\">x</a>");
         for other in ["javascript:alert(1)", "https://example.org", "//x", "\u{1}docs/x"] {
             assert_eq!(link("x", other).into_string(), "x");
         }
