@@ -49,6 +49,25 @@ fn everything_passes_and_the_reports_are_functions_of_the_record() {
     let page = read("report.html");
     assert!(page.len() < 3_000_000, "{}", page.len());
 
+    // The kill matrix is of the quick checks of today, one by one: one that was added, renamed or moved
+    // since has not been tried on the faults, or its column is another's.
+    let quick_cases = record.cases.iter().filter(|case| case.quick);
+    let today: Vec<_> = quick_cases
+        .flat_map(|case| case.checks.iter().map(|of| (case.id.as_str(), of.check.claim.as_str())))
+        .collect();
+    let matrix = record.sensitivity.as_ref().unwrap();
+    let quick_checks = matrix.checks.iter().filter(|check| check.quick);
+    let kept: Vec<_> = quick_checks.map(|of| (of.case.as_str(), of.claim.as_str())).collect();
+    if let Some(k) = (0..kept.len().max(today.len())).find(|&k| kept.get(k) != today.get(k)) {
+        panic!(
+            "docs/sensitivity is stale from check {k} on: it has {:?}, `verify` has {:?}; measure it again by \
+             `crossfibre verify --sensitivity --quick --out docs/sensitivity`, read what has changed in its \
+             README.md, and commit both",
+            kept.get(k),
+            today.get(k)
+        );
+    }
+
     // The checked-in report is that of today.
     let checked_in = Path::new(env!("CARGO_MANIFEST_DIR")).join("../VALIDATION.md");
     assert!(
