@@ -141,15 +141,6 @@ pub struct Seen {
     pub output: Vec<f64>,
 }
 
-impl Seen {
-    /// An input by its name.
-    #[track_caller]
-    pub fn input(&self, name: &str) -> &[f64] {
-        let found = self.inputs.iter().find(|(n, _)| *n == name);
-        &found.unwrap_or_else(|| panic!("no {name} in {self:?}")).1
-    }
-}
-
 fn kept(value: &Value<'_, f64>) -> Vec<f64> {
     match *value {
         Value::Scalar(x) => vec![x],
