@@ -98,7 +98,7 @@ fn a_malformed_trace_is_refused_with_its_line_and_what_had_come_of_it() {
         &["diff", ".", "a.trace"],
         &["diff", "-", "-"],
         &["diff", "a.trace", "a.trace", "--eq", "1"],
-        &["diff", "a.trace", "a.trace", "--tolerance=-1e-9"],
+        &["diff", "a.trace", "a.trace", "--tolerance", "-1e-9"],
         &["diff", "a.trace", "a.trace", "--tolerance", "NaN"],
     ] {
         let ended = crossfibre(folder.path(), arguments);
