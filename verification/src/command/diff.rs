@@ -22,7 +22,7 @@ pub struct Args {
     #[command(flatten)]
     choice: select::Choice,
     /// Numbers agree that are this close, relative to the larger one; in a vector, to its largest component
-    #[arg(long, value_name = "X", value_parser = tolerance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "X", value_parser = tolerance, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Numbers agree that are no more than N doubles apart
     #[arg(long, value_name = "N")]

@@ -20,7 +20,7 @@ pub struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Solve to SECONDS after impact instead of the scene's duration
-    #[arg(short, long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(short, long, value_name = "SECONDS", allow_hyphen_values = true)]
     time: Option<f64>,
     /// Write the solution as JSON (crossfibre-exact/1) to FILE, `-` for standard output
     #[arg(short, long, value_name = "FILE")]

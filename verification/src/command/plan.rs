@@ -23,7 +23,7 @@ pub struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Find the meshes that give an error of this size, such as 1e-3, by trial runs
-    #[arg(long, value_name = "ERROR", value_parser = error_size, allow_negative_numbers = true)]
+    #[arg(long, value_name = "ERROR", value_parser = error_size, allow_hyphen_values = true)]
     accuracy: Option<f64>,
     /// Write JSON (crossfibre-plan/1) instead of text
     #[arg(long)]
