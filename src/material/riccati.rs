@@ -98,8 +98,9 @@ impl<S: Number> Unit<S> {
 
 /// y after a unit of time, for a ≥ 0.
 ///
-/// Where exp(−|y|) and a/ρ are both below the smallest number, the flow is left out and |y| bounded
-/// by that of steady flow, ln(2ρ/a).
+/// Where exp(−|y|) and a/ρ are both below the smallest number, so that ρ > 2, what is above steady
+/// flow, ln(2ρ/a), is taken to come down to it at once, and below it nothing flows. Next to steady
+/// flow as much flows as would be elastic, so that y₁ is off by ln 2.
 #[inline]
 pub(super) fn advance<S: Number>(y: S, a: S, b: S) -> S {
     if y < S::zero() {
@@ -118,14 +119,8 @@ fn advance_up<S: Number>(y: S, a: S, b: S) -> S {
 #[cold]
 fn without_flow<S: Number>(y: S, a: S, b: S, rho: S) -> S {
     let steady = (rho + rho).ln() - a.ln();
-    let (elastic, bound) = (y + b, y.max(steady));
-    if elastic > bound {
-        bound
-    } else if elastic < -steady {
-        -steady
-    } else {
-        elastic
-    }
+    let elastic = if y > steady { steady + b } else { y + b };
+    if elastic > steady { steady } else { elastic.max(-steady) }
 }
 
 /// dy₁/db of [`advance`].

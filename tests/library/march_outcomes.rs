@@ -91,9 +91,21 @@ fn a_diverged_run_names_the_first_equation_of_the_step_that_is_not_finite() {
 fn the_place_that_is_named_is_where_a_number_was_spoilt() {
     // One number of a run in its middle, beyond what the next equation can bear.
     type Spoil = fn(&mut State<f64>);
-    let spoiled: [(Fibre, usize, u8, Spoil); 4] = [
+    let spoiled: [(Fibre, usize, u8, Spoil); 6] = [
         (Fibre::Primary, 9, 7, |s| s.primary.strain[9] = 1.3e307),
         (Fibre::Primary, 11, 6, |s| s.primary.velocity[12].x = 1.9e173),
+        // The difference of two tensions, in (2); elsewhere they are equal.
+        (Fibre::Primary, 13, 2, |s| {
+            s.primary.pull.fill(Vector::<f64, 2>::new(1.3e308, 0.0));
+            s.primary.pull[..13].fill(Vector::<f64, 2>::new(-1.3e308, 0.0));
+        }),
+        // A strain near the end of the numbers, to which (4) adds the growth of a length from next to nothing.
+        (Fibre::Primary, 9, 4, |s| {
+            s.primary.strain[9] = f64::MAX;
+            s.primary.position[9] = Vector::<f64, 2>::zeros();
+            s.primary.position[10] = Vector::<f64, 2>::new(1.3e-150, 0.0);
+            s.primary.velocity[10].x = 1.3e152;
+        }),
         (Fibre::Secondary, 3, 7, |s| s.crossover.as_mut().unwrap().fibre.strain[3] = 1.3e307),
         (Fibre::Secondary, 6, 6, |s| {
             s.crossover.as_mut().unwrap().fibre.velocity[7].z = 1.9e173;

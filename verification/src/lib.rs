@@ -13,6 +13,7 @@ pub mod diff;
 pub mod exact_file;
 pub mod exact_plot;
 pub mod exact_summary;
+pub mod examined;
 pub mod exit;
 pub mod extremes;
 pub mod faulty;

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::cases::{Check, Verdict};
 use crate::claims::Claim;
 use crate::derivations::Derivation;
+use crate::examined::Examination;
 use crate::ledger_effects::Effects;
 use crate::pictures::{Picture, motion::Motion};
 use crate::precision::answer::wanted::Cost;
@@ -59,6 +60,9 @@ pub struct Record {
     pub motion: Option<Motion>,
     /// Which check notices which fault; none if that was not examined.
     pub sensitivity: Option<Matrix>,
+    /// What was examined apart from this.
+    #[serde(default)]
+    pub examined: Vec<Examination>,
 }
 
 /// A case and what came of it.

@@ -143,6 +143,25 @@ fn numbers_that_vanish_leave_an_elastic_arm_within_the_bound_of_steady_flow() {
 }
 
 #[test]
+fn what_is_above_steady_flow_comes_down_to_it() {
+    // From the closed form to 60 digits in another language, with a the least number. Tolerance:
+    // ln 2 next to steady flow would be 9e-4 of it; the last is a tenth of that from it.
+    let least = f64::from_bits(1);
+    for (y, b, expected) in [
+        (745.9, 4.7, 746.6700777699857),
+        (760.3, 4.7, 746.68991849114502),
+        (760.3, -4.7, 741.98991727426338),
+        (759.3, 3.1, 746.31071657116877),
+        (747.3, -1497.0, -749.6431599329918),
+    ] {
+        for sign in [1.0, -1.0] {
+            let found = sign * advance(sign * y, least, sign * b);
+            assert_relative_eq!(found, expected, epsilon = 0.0, max_relative = 1.2e-4);
+        }
+    }
+}
+
+#[test]
 fn slope_agrees_with_difference_quotients_of_2600_digits() {
     // Of the closed form, in another language. Tolerance: some ten roundings, but of ∂N/∂b and
     // ∂D/∂b, which can be opposite and several times their sum.

@@ -18,7 +18,7 @@ use crate::cases::{Case, verdicts};
 use crate::derivations;
 use crate::precision::{self, answer::wanted, stored::stored};
 use crate::worked::Worked;
-use crate::{claims, ledger_effects, pictures, sensitivity};
+use crate::{claims, examined, ledger_effects, pictures, sensitivity};
 
 /// Runs cases on all cores; `done` is told of each as it ends.
 pub fn run_cases(cases: &[Case], done: impl Fn(&CaseRecord) + Sync) -> Vec<CaseRecord> {
@@ -98,6 +98,7 @@ impl Record {
             pictures: pictures::all(),
             motion: Some(pictures::motion::fig3()),
             sensitivity: Some(sensitivity::stored::stored().clone()),
+            examined: examined::stored(),
         }
     }
 }

@@ -4,6 +4,7 @@
 use crate::cases::{Bound, Check, verdicts};
 use crate::claims::{Claim, Finding};
 use crate::derivations::Derivation;
+use crate::examined::Examination;
 use crate::ledger_effects::{CrossoverRow, Effects, ProjectileRow, Remark};
 use crate::pictures::{Picture, Section};
 use crate::record::{Build, CaseRecord, CheckRecord, FORMAT, LedgerLine, Record, SceneDigest};
@@ -113,6 +114,14 @@ pub fn passing() -> Record {
         }],
         motion: None,
         sensitivity: Some(sensitivity),
+        examined: vec![Examination {
+            what: "mutants".into(),
+            tool: "cargo-mutants".into(),
+            date: "1980-03-07".into(),
+            commits: vec!["0123abc".into(), "4567def".into()],
+            counts: vec![(37, "mutants".into()), (3, "survived".into())],
+            page: "mutants.md".into(),
+        }],
     }
 }
 
@@ -167,6 +176,14 @@ pub fn record() -> Record {
         matrix.faults[0].id = words();
         matrix.faults[0].what = words();
     }
+    record.examined[0] = Examination {
+        what: words(),
+        tool: words(),
+        date: words(),
+        commits: vec![words()],
+        counts: vec![(7, words())],
+        page: words(),
+    };
     record
 }
 

@@ -29,6 +29,7 @@ pub fn render(record: &Record) -> String {
     effects(&mut out, &record.effects);
     checks(&mut out, record);
     sensitivity(&mut out, record);
+    examined(&mut out, record);
     worked(&mut out, record);
     scenes(&mut out, record);
     out
@@ -229,6 +230,33 @@ fn sensitivity(out: &mut String, record: &Record) {
     );
     put!(out, "{}", page::groups(matrix));
     put!(out, "{}", page::judgement(&judge(matrix)));
+}
+
+fn examined(out: &mut String, record: &Record) {
+    if record.examined.is_empty() {
+        return;
+    }
+    put!(out, "## Examined apart from this\n");
+    put!(
+        out,
+        "What takes hours, or tools that not everyone has. [CONTRIBUTING.md](CONTRIBUTING.md) has the commands; they \
+         store what came of it.\n"
+    );
+    put!(out, "| what | by | on | at commit | what came of it |");
+    put!(out, "|---|---|---|---|---|");
+    for examined in &record.examined {
+        put!(
+            out,
+            "| [{}](docs/{}) | {} | {} | {} | {} |",
+            code(&examined.what),
+            code(&examined.page),
+            cell(&examined.tool),
+            cell(&examined.date),
+            cell(&examined.commits.join(", ")),
+            cell(&examined.outcome())
+        );
+    }
+    put!(out, "");
 }
 
 fn worked(out: &mut String, record: &Record) {

@@ -3,6 +3,7 @@
 mod about;
 mod cases;
 mod cost;
+mod examined;
 mod first;
 mod ledger;
 mod matrix;
@@ -73,7 +74,7 @@ pub fn render(record: &Record) -> String {
                     }))
                     (part(4, html! { (pictures::section(record, Section::Stability)) }))
                     (part(5, html! { (tolerances::tolerances(record)) }))
-                    (part(6, html! { (matrix::matrix(record)) }))
+                    (part(6, html! { (matrix::matrix(record)) (examined::examined(record)) }))
                     (part(7, html! { (cases::all(record)) }))
                     (part(8, html! { (about::about(record)) }))
                 }

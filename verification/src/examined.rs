@@ -1,0 +1,72 @@
+//! What takes hours, or tools that not everyone has, and is therefore examined apart from a verification: the
+//! scripts that do it store what came of it, with date and commit, and a report says it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Written by `.ci/mutants`, `.ci/fuzz` and `.ci/coverage`.
+const STORED: [&str; 3] = [
+    include_str!("../../docs/mutants.json"),
+    include_str!("../../docs/fuzz.json"),
+    include_str!("../../docs/coverage.json"),
+];
+
+/// What was examined, and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Examination {
+    /// What was examined.
+    pub what: String,
+    /// What did it.
+    pub tool: String,
+    /// The day it ended: year, month, day.
+    pub date: String,
+    /// The commits that were examined.
+    pub commits: Vec<String>,
+    /// What came of it: numbers, and what they are numbers of.
+    pub counts: Vec<(u64, String)>,
+    /// The page that says more, in `docs`.
+    pub page: String,
+}
+
+impl Examination {
+    /// What came of it, in a line.
+    pub fn outcome(&self) -> String {
+        let counts: Vec<_> =
+            self.counts.iter().map(|(number, what)| format!("{number} {what}")).collect();
+        counts.join(", ")
+    }
+}
+
+/// The examinations in the repository.
+///
+/// # Panics
+/// If one cannot be read: a fault of this program.
+pub fn stored() -> Vec<Examination> {
+    let read = |text| serde_json::from_str(text).expect("a stored examination can be read");
+    STORED.map(read).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number_of(examination: usize, what: &str) -> u64 {
+        let stored = stored();
+        let counts = &stored[examination].counts;
+        counts.iter().find(|(_, name)| name == what).unwrap_or_else(|| panic!("{counts:?}")).0
+    }
+
+    #[test]
+    fn what_survives_or_is_not_reached_has_a_reason_and_no_spoilt_file_found_a_fault() {
+        assert_eq!(number_of(0, "survived without a reason"), 0);
+        assert_eq!(number_of(1, "faults"), 0);
+        assert_eq!(number_of(2, "lines not reached without a reason"), 0);
+    }
+
+    #[test]
+    fn every_mutant_has_come_to_one_end() {
+        let ends = ["caught", "out of time", "not compiled", "survived", "not tried"];
+        assert_eq!(ends.map(|end| number_of(0, end)).iter().sum::<u64>(), number_of(0, "mutants"));
+    }
+}
