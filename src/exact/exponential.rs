@@ -76,10 +76,8 @@ impl Elastic for Exponential {
         if self.b > 0.0 {
             f_log(1e150 / self.a) / b
         } else {
-            // exp(y) − 1 − y > y²/2 and > exp(y)/4 from y = 2 on: y is below either bound.
-            first_where(0.0, (2.0 * b).sqrt().min(2.0 + f_log(1.0 + 4.0 * b)), |y| {
-                exp_m1_m_y(y) >= b
-            }) / b
+            // exp(y) − 1 − y > y²/2.
+            first_where(0.0, (2.0 * b).sqrt(), |y| exp_m1_m_y(y) >= b) / b
         }
     }
 }

@@ -108,17 +108,13 @@ pub fn solved<M: PiecewiseLinear + Clone>(problem: &Problem<M>, time: f64) -> Fr
     })
 }
 
-/// The motion at the finest resolution from 1e-10 on, in factors of ten, that takes no more than
-/// 20000 meetings of fronts.
+/// The motion at the finest resolution of 1e-10, 1e-9 … 1e-5 that takes no more than 20000 meetings of
+/// fronts, or else at 1e-4.
 pub fn finest<M>(run: impl Fn(Limits) -> Fronts<M>) -> Fronts<M> {
-    let mut resolution = 1e-10;
-    loop {
-        let fronts = run(Limits { resolution, events: 20_000 });
-        match fronts.ended {
-            Some(Ended::TooMany { .. }) if resolution < 1e-5 => resolution *= 10.0,
-            _ => return fronts,
-        }
-    }
+    let resolved = |resolution| run(Limits { resolution, events: 20_000 });
+    let is_whole = |fronts: &Fronts<M>| !matches!(fronts.ended, Some(Ended::TooMany { .. }));
+    let mut finer = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5].into_iter().map(resolved);
+    finer.find(is_whole).unwrap_or_else(|| resolved(1e-4))
 }
 
 /// What holds a span at one of its ends.
@@ -257,16 +253,16 @@ impl<M: PiecewiseLinear> Fronts<M> {
         let elapsed = self.time - self.settled;
         accounts.braking += self.resistance() * elapsed;
         for (index, span) in self.spans.iter().enumerate() {
-            // Two arms of a secondary within the half; what their mirror symmetry cancels is
-            // along z. At the origin half of each arm belongs to the half.
-            let weight = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
             if self.joint(index, Meeting::Start) == Joint::Projectile {
-                let force = -tension(span, span.start()) * weight;
+                let force = -tension(span, span.start());
                 accounts.impulse += force * elapsed;
                 accounts.work += force.dot(&self.velocity) * elapsed;
             }
             if self.joint(index, Meeting::End) == Joint::Clamp {
-                accounts.impulse += tension(span, span.end()) * (weight * elapsed);
+                // Two arms of a secondary within the half; what their mirror symmetry cancels is
+                // along z. At the origin half of each arm belongs to the half.
+                let arms = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
+                accounts.impulse += tension(span, span.end()) * (arms * elapsed);
             }
         }
         accounts

@@ -113,6 +113,89 @@ fn too_many_meetings_end_the_motion_and_a_solution_is_found_all_the_same() {
 }
 
 #[test]
+fn coarser_resolutions_are_tried_one_after_the_other_down_to_the_last() {
+    let tried = std::cell::RefCell::new(Vec::new());
+    let attempt = |limits: Limits, events| {
+        tried.borrow_mut().push(limits.resolution);
+        assert_eq!(limits.events, 20_000);
+        let mut fronts = Fronts::new(&paper(), Limits { events, ..limits });
+        let _ = fronts.advance(20e-6);
+        fronts
+    };
+    let found = finest(|limits| attempt(limits, 0));
+    assert!(matches!(found.ended(), Some(Ended::TooMany { events: 0, .. })));
+    assert_eq!(tried.take(), [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4]);
+    // The first that can be followed to its end is taken.
+    let found = finest(|limits| attempt(limits, if limits.resolution < 5e-9 { 0 } else { 1_000 }));
+    assert_eq!((tried.take(), found.ended()), (vec![1e-10, 1e-9, 1e-8], None));
+}
+
+#[test]
+fn what_is_left_out_grows_from_meeting_to_meeting() {
+    let mut short = unequal();
+    short.secondary.as_mut().unwrap().fibre.length = 0.0071;
+    let mut at_origin = unequal();
+    at_origin.secondary.as_mut().unwrap().at = 0.0;
+    for problem in [paper(), short, at_origin, alone(0.3)] {
+        let mut fronts = Fronts::new(&problem, Limits { resolution: 1e-5, events: 3_000 });
+        let (mut bound, mut grown) = (fronts.error_bound(), 0);
+        while fronts.ended().is_none() && fronts.time() < 150e-6 {
+            let (next, _) = fronts.next().1;
+            let before = fronts.events();
+            // Some end early, by a fibre that goes slack.
+            if fronts.advance(next).is_err() {
+                break;
+            }
+            assert!(fronts.events() > before && fronts.time() == next);
+            assert!(fronts.error_bound() >= bound, "{next:e}: {} {bound}", fronts.error_bound());
+            grown += u32::from(fronts.error_bound() > bound);
+            bound = fronts.error_bound();
+            let segments = [Fibre::Primary, Fibre::Secondary].map(|f| fronts.segments(f));
+            assert!(segments.iter().flatten().all(|s| s.to > s.from), "{next:e}");
+        }
+        assert!(grown > 3, "{grown} of {}", fronts.events());
+    }
+}
+
+#[test]
+fn waves_left_out_in_sum_as_strong_as_the_impact_end_the_motion() {
+    // A third of the strain of the impact is left out wherever it could be.
+    let problem = unequal();
+    let strain = Fronts::new(&problem, Limits { resolution: 1e-9, events: 1 }).impact_strain;
+    let limits = Limits { resolution: strain / 3.0, events: 100_000 };
+    let mut fronts = Fronts::new(&problem, limits);
+    let Err(Ended::Unresolved { time }) = fronts.advance(3.0) else {
+        panic!("{:?} {}", fronts.ended(), fronts.error_bound());
+    };
+    assert_eq!(time, fronts.time());
+    assert!(fronts.error_bound() > strain && fronts.error_bound() < 2.0 * strain);
+}
+
+#[test]
+fn braking_is_the_impulse_of_both_halves_until_the_clamps_answer() {
+    let mut at_origin = unequal();
+    at_origin.secondary.as_mut().unwrap().at = 0.0;
+    for problem in [paper(), unequal(), at_origin, alone(0.3)] {
+        // Half of 5.1 µs is less than a wave takes to the nearest clamp; the force changes meanwhile.
+        let mut fronts = at(&problem, 1e-9, 2.7e-6);
+        fronts.strike(0.93 * problem.velocity);
+        fronts.advance(5.1e-6).unwrap();
+        let accounts = fronts.accounts();
+        // The projectile alone acts on the half of the system, along y; four roundings.
+        let halves = 2.0 * accounts.impulse.y;
+        assert!(halves > 0.0 && (accounts.braking / halves - 1.0).abs() < 1e-15, "{accounts:?}");
+    }
+}
+
+#[test]
+fn fibre_that_goes_slack_at_its_clamp_is_told_to_do_so_there() {
+    let mut fronts = Fronts::new(&paper(), Limits { resolution: 1e-9, events: 100 });
+    // A clamp that runs towards the crossover, span 1 of the primary.
+    let found = fronts.held(1, Meeting::End, Vector3::new(-31.7, 0.0, 0.0));
+    assert_eq!(found, Err(Ended::Slack { fibre: Fibre::Primary, at: 0.3, time: 0.0 }));
+}
+
+#[test]
 fn projectile_that_stops_at_once_lets_a_steep_fibre_go_slack() {
     // At 1.37 c the fibre stands at sin γ = 0.98 behind the projectile; stopped, it would have to
     // unload by V sin γ, more than cε.
