@@ -246,17 +246,20 @@ impl<S: Number> State<S> {
         Balance { energy, momentum }
     }
 
-    /// The secondary's first node at the time of the positions: what (9)–(14) make of the velocities
-    /// that the crossover's node has before and after.
+    /// The secondary's first node at the time of the positions: the mean of what (9)–(14) made of the
+    /// velocity of the crossover's node, and of what they will make of it where the primary will be.
     fn middle_velocity_of_first(&self, paper: &impl Paper<S>) -> Vector<S, 3> {
         let Some(crossover) = &self.crossover else {
             return Vector::zeros();
         };
-        let ix = crossover.node;
-        let next = self.primary.next_velocity(paper, ix);
-        let next = crossover.push(paper, self.step, &self.primary, next);
-        let theta =
-            paper.eqn_11_direction(self.primary.position[ix], self.primary.position[ix - 1]);
+        let (ix, primary) = (crossover.node, &self.primary);
+        let next = crossover.push(paper, self.step, primary, primary.next_velocity(paper, ix));
+        let before = match ix - 1 {
+            0 => self.projectile.axis * self.projectile.velocity,
+            inner => primary.next_velocity(paper, inner),
+        };
+        let moved = |i: usize, velocity| primary.position[i] + velocity * self.time_step;
+        let theta = paper.eqn_11_direction(moved(ix, next), moved(ix - 1, before));
         (crossover.fibre.velocity[0] + crossover.impose(paper, next, theta)) * S::half()
     }
 }

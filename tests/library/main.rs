@@ -11,6 +11,7 @@ mod equations_as_printed;
 mod equations_corrected;
 mod equations_editions;
 mod equations_lines;
+mod march_balance;
 mod march_crossover;
 mod march_double_double;
 mod march_identities;
