@@ -207,7 +207,9 @@ fn vector_file(bytes: &[u8], _: &[u8]) -> Result<(), String> {
 
 fn report(bytes: &[u8], _: &[u8]) -> Result<(), String> {
     let record = Record::read(text(bytes)?).map_err(|fault| fault.to_string())?;
-    assert_eq!(Record::read(&record.json()).as_ref(), Ok(&record));
+    // As text: a number may be none, and such a one is not equal to itself.
+    let again = Record::read(&record.json()).unwrap_or_else(|fault| panic!("{fault}"));
+    assert_eq!(again.json(), record.json());
     assert!(files(&record).iter().all(|(_, text)| !text.is_empty()));
     Ok(())
 }

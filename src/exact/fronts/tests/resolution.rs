@@ -196,6 +196,48 @@ fn fibre_that_goes_slack_at_its_clamp_is_told_to_do_so_there() {
 }
 
 #[test]
+fn fibre_that_goes_slack_where_two_waves_meet_is_told_to_do_so_there() {
+    // Two unloading waves of 0.65 of the strain each: one leaves the fibre taut, both do not.
+    let problem = paper();
+    let c = (ARAMID.modulus / ARAMID.density).sqrt();
+    let piece = |velocity: f64| {
+        let velocity = Vector3::new(1.3 * c * 0.0137 * velocity, 0.0, 0.0);
+        State { strain: 0.0137, direction: Vector3::x(), velocity }
+    };
+    let mut fronts = Fronts::new(&problem, Limits { resolution: 1e-9, events: 100 });
+    // On the outer primary, from 0.1 m on; from the struck end and the clamp waves have farther to go.
+    fronts.spans[1].set(&[(0.0, piece(1.0)), (0.06, piece(0.0)), (0.12, piece(-1.0))], 0.0, 1e-9);
+    let Err(Ended::Slack { fibre, at, time }) = fronts.advance(10e-6) else {
+        panic!("{:?}", fronts.ended());
+    };
+    // Two roundings.
+    assert_eq!(fibre, Fibre::Primary);
+    assert!(
+        (at / 0.19 - 1.0).abs() < 4e-16 && (time * c / 0.03 - 1.0).abs() < 4e-16,
+        "{at} {time}"
+    );
+}
+
+#[test]
+fn all_that_is_left_out_at_the_crossover_is_counted() {
+    let problem = paper();
+    let law = crate::exact::smith::Law::Engineering;
+    let fibre = crate::exact::smith::Fibre { modulus: 58.6e9, density: 1206.7, area: 1e-6 };
+    let closed = crate::exact::crossover::crossover(law, &fibre, &fibre, 1.0, 400.0).unwrap();
+    let mut fronts = Fronts::new(&problem, Limits { resolution: 1e-12, events: 100 });
+    let bound = fronts.error_bound();
+    // From now on more than what is reflected into the primary or diverted into the secondary, and less
+    // than what is transmitted or the kink of the secondary.
+    fronts.limits.resolution = 0.003;
+    fronts.advance(14.4e-6).unwrap();
+    let left_out = closed.engineering.reflection + closed.engineering.diversion;
+    let counted = fronts.error_bound() - bound;
+    // Differences of strains that are 70 times as great.
+    let expected = left_out * closed.incident.strain.engineering;
+    assert!((counted / expected - 1.0).abs() < 1e-13, "{counted} {expected}");
+}
+
+#[test]
 fn projectile_that_stops_at_once_lets_a_steep_fibre_go_slack() {
     // At 1.37 c the fibre stands at sin γ = 0.98 behind the projectile; stopped, it would have to
     // unload by V sin γ, more than cε.
