@@ -61,11 +61,11 @@ pub fn motion(problem: &Problem<Hyperelastic>, mass: Option<f64>, time: f64) -> 
     match problem.primary.material.law {
         Law::Engineering => {
             let line = problem.map(Line::of);
-            converged(mass, |_| (None, &line), time)
+            converged(None, mass, |_| &line, time)
         }
         Law::Logarithmic => {
             let polygons = [1, 2].map(|part| polygonal(problem, CHORDS / part));
-            converged(mass, |part| (Some(CHORDS / part), &polygons[part - 1]), time)
+            converged(Some(CHORDS), mass, |part| &polygons[part - 1], time)
         }
     }
 }
@@ -85,24 +85,23 @@ fn polygonal(problem: &Problem<Hyperelastic>, chords: usize) -> Problem<Polygon>
 
 /// The solution with all chords and steps (part 1), bounded by the one with half of them (part 2).
 fn converged<'p, M: PiecewiseLinear + Clone + 'p>(
+    chords: Option<usize>,
     mass: Option<f64>,
-    problem: impl Fn(usize) -> (Option<usize>, &'p Problem<M>),
+    problem: impl Fn(usize) -> &'p Problem<M>,
     time: f64,
 ) -> Motion {
     let solve = |part: usize| {
-        let (chords, problem) = problem(part);
-        let velocity_steps = mass.map(|_| STEPS / part);
-        let fronts = finest(|limits| match mass {
-            None => free(problem, time, limits),
-            Some(mass) => braked(problem, mass, time, STEPS / part, limits),
-        });
-        (Approximation { chords, velocity_steps }, fronts)
+        finest(|limits| match mass {
+            None => free(problem(part), time, limits),
+            Some(mass) => braked(problem(part), mass, time, STEPS / part, limits),
+        })
     };
-    let (approximation, fronts) = solve(1);
+    let approximation = Approximation { chords, velocity_steps: mass.map(|_| STEPS) };
+    let fronts = solve(1);
     let [primary, secondary] = [Fibre::Primary, Fibre::Secondary].map(|f| fronts.segments(f));
     let mut error_bound = fronts.error_bound();
     if approximation != Approximation::default() {
-        let (_, coarse) = solve(2);
+        let coarse = solve(2);
         let apart = |fibre, fine| mean_difference(fine, &coarse.segments(fibre));
         let difference = apart(Fibre::Primary, &primary).max(apart(Fibre::Secondary, &secondary));
         error_bound += coarse.error_bound() + difference;
@@ -115,7 +114,7 @@ fn converged<'p, M: PiecewiseLinear + Clone + 'p>(
         primary,
         secondary,
         tracks: fronts.tracks(),
-        projectile_velocity: problem(1).1.velocity - velocity,
+        projectile_velocity: problem(1).velocity - velocity,
         events: fronts.events(),
         resolution: fronts.limits().resolution,
         error_bound,

@@ -107,6 +107,47 @@ fn the_loss_settles_as_the_steps_get_shorter() {
 }
 
 #[test]
+fn the_projectile_has_the_velocity_that_its_loss_leaves_it() {
+    for law in [Law::Engineering, Law::Logarithmic] {
+        let found = motion(&single(law), Some(0.41e-3), 7.3e-6);
+        // The first node has it in the middle of the last of 32 steps.
+        let (node, end) = (found.primary[0].state.velocity.y, found.projectile_velocity);
+        let lost = 387.0 - end;
+        assert!(lost > 10.0, "{lost}");
+        assert!((0.3..1.0).contains(&((node - end) / (lost / 32.0))), "{node} {end}");
+    }
+}
+
+#[test]
+fn the_bound_of_a_braked_motion_is_its_difference_from_half_as_many_steps() {
+    let (problem, mass, time) = (single(Law::Engineering), 0.41e-3, 7.3e-6);
+    let found = motion(&problem, Some(mass), time);
+    assert_eq!(found.approximation, Approximation { chords: None, velocity_steps: Some(32) });
+    let line = problem.map(Line::of);
+    let [fine, coarse] =
+        [32, 16].map(|steps| finest(|limits| braked(&line, mass, time, steps, limits)));
+    let [a, b] = [&fine, &coarse].map(|fronts| fronts.segments(Fibre::Primary));
+    assert_eq!(found.primary, a);
+    // The same sum in the same order.
+    let difference = mean_difference(&a, &b);
+    assert_eq!(found.error_bound, fine.error_bound() + (coarse.error_bound() + difference));
+    assert!(difference > 0.5 * found.error_bound);
+}
+
+#[test]
+fn waves_that_add_up_between_the_ends_stay_within_the_polygon() {
+    let mut problem = single(Law::Logarithmic);
+    problem.primary.length = 0.0307;
+    let struck =
+        smith(Law::Logarithmic, problem.primary.material.fibre.wave_speed(), 387.0).unwrap();
+    let found = motion(&problem, None, 37.3e-6);
+    assert_eq!(found.ended, None);
+    // Eight times there and back.
+    let most = found.primary.iter().map(|segment| segment.state.strain).fold(0.0, f64::max);
+    assert!(most > 6.0 * struck.strain.engineering, "{most}");
+}
+
+#[test]
 fn a_mean_difference_counts_pieces_that_end_apart() {
     let piece = |from, to, strain| {
         let (direction, velocity) = (Vector3::x(), Vector3::zeros());
@@ -120,6 +161,7 @@ fn a_mean_difference_counts_pieces_that_end_apart() {
         assert!((found / expected - 1.0).abs() < 1e-13, "{found}");
     }
     assert_eq!(mean_difference(&a, &a), 0.0);
+    assert_eq!(mean_difference(&[], &[]), 0.0);
 }
 
 /// Such a scene passes its check; the velocities that its junction asks for are beyond all numbers.
