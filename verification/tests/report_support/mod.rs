@@ -7,6 +7,7 @@
 use crossfibre::errata::{Entry, LEDGER};
 use crossfibre_verification::cases::{self, Bound, verdicts};
 use crossfibre_verification::claims::{Claim, Finding};
+use crossfibre_verification::examined;
 use crossfibre_verification::ledger_effects::{CrossoverRow, Effects};
 use crossfibre_verification::pictures;
 use crossfibre_verification::precision::{self, answer::wanted, stored::stored};
@@ -54,6 +55,7 @@ pub fn record() -> Record {
         pictures: pictures::all(),
         motion: Some(pictures::motion::fig3()),
         sensitivity: None,
+        examined: examined::stored(),
     };
     let mut troubled = record.cases[0].clone();
     troubled.id = HOSTILE.into();
