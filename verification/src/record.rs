@@ -5,10 +5,10 @@
 
 mod build;
 mod made;
-#[cfg(test)]
-pub(crate) mod made_up;
+pub mod made_up;
 mod read;
 
+use crossfibre::errata::Entry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -126,6 +126,19 @@ pub struct LedgerLine {
     pub trouble: String,
     /// What is used.
     pub used: String,
+}
+
+impl From<&Entry> for LedgerLine {
+    fn from(entry: &Entry) -> Self {
+        Self {
+            id: entry.id.into(),
+            kind: format!("{:?}", entry.kind).to_lowercase(),
+            equations: entry.equations.to_vec(),
+            printed: entry.printed.into(),
+            trouble: entry.trouble.into(),
+            used: entry.used.into(),
+        }
+    }
 }
 
 impl CaseRecord {

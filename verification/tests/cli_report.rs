@@ -81,7 +81,7 @@ fn a_record_is_what_the_schema_says() {
         panic!("{error:#}");
     }
     // A number that is none is a word, and an unknown field is an error.
-    assert_eq!(record["cases"][3]["checks"][0]["measured"], "NaN");
+    assert_eq!(record["cases"][1]["checks"][3]["measured"], "NaN");
     record["cases"][0]["checks"][0]["mesured"] = 1.into();
     assert!(schemas.validate(&record, id).is_err());
     assert!(Record::read(&record.to_string()).is_err());

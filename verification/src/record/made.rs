@@ -72,24 +72,13 @@ impl Record {
                 digest: format!("{:016x}", fnv(text.bytes())),
             })
             .collect();
-        let ledger = LEDGER
-            .iter()
-            .map(|entry| LedgerLine {
-                id: entry.id.into(),
-                kind: format!("{:?}", entry.kind).to_lowercase(),
-                equations: entry.equations.to_vec(),
-                printed: entry.printed.into(),
-                trouble: entry.trouble.into(),
-                used: entry.used.into(),
-            })
-            .collect();
         Self {
             format: FORMAT.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             build: Build::here(),
             cases,
             scenes,
-            ledger,
+            ledger: LEDGER.iter().map(LedgerLine::from).collect(),
             effects: ledger_effects::measure(),
             claims: claims::examine(),
             worked: worked_step(),

@@ -1,5 +1,5 @@
-//! A record of a verification that never was: small, complete, with every verdict, with hostile names,
-//! and with a number that is none.
+//! A record of a verification that never was, for tests: small, complete, with every verdict, with hostile
+//! names, and with a number that is none.
 
 use crate::cases::{Bound, Check, verdicts};
 use crate::claims::{Claim, Finding};
