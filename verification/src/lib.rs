@@ -20,6 +20,7 @@ pub mod faulty;
 pub mod figures;
 pub mod fronts;
 pub mod golden;
+pub mod input;
 pub mod interrupt;
 pub mod ledger_effects;
 pub mod oracle;

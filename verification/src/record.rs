@@ -23,7 +23,7 @@ use crate::sensitivity::matrix::Matrix;
 
 pub use build::Build;
 pub use made::{run_cases, run_watched};
-pub use read::Fault;
+pub use read::{Fault, RIGHT_FILE};
 
 /// The format that this version reads and writes.
 pub const FORMAT: &str = "crossfibre-report/1";

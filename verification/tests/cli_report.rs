@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 
 use cli_support::crossfibre;
-use crossfibre_verification::record::Record;
+use crossfibre_verification::record::{RIGHT_FILE, Record};
 use crossfibre_verification::report;
 
 #[test]
@@ -41,7 +41,7 @@ fn a_record_that_cannot_be_read_is_told_in_a_line_and_nothing_is_written() {
     let whole = report_support::record().json();
     let half: String = whole.chars().take(whole.len() / 3).collect();
     let lines = half.lines().count();
-    let help = "\n  help: name the report.json that `crossfibre verify` has written\n";
+    let help = format!("\n  help: {RIGHT_FILE}\n");
     let bad = [
         (b"".to_vec(), format!("the file is empty{help}")),
         (half.into_bytes(), format!("ends at line {lines}: cut short?{help}")),
@@ -52,7 +52,7 @@ fn a_record_that_cannot_be_read_is_told_in_a_line_and_nothing_is_written() {
             ),
         ),
         (b"{\"scene\": 1}".to_vec(), format!("no report: it has no `format`{help}")),
-        (b"\xff\xfe{".to_vec(), "not UTF-8: the byte at offset 0\n".into()),
+        (b"\xff\xfe{".to_vec(), format!("not UTF-8: the byte at offset 0{help}")),
     ];
     for (bytes, message) in bad {
         fs::write(folder.path().join("bad.json"), bytes).unwrap();
@@ -61,12 +61,12 @@ fn a_record_that_cannot_be_read_is_told_in_a_line_and_nothing_is_written() {
         assert_eq!(ended.stderr, format!("error: bad.json: {message}"));
         assert!(!folder.path().join("out").exists());
     }
-    let missing = crossfibre(folder.path(), &["report", "--from", "none.json"]);
-    assert!(
-        missing.code == 1 && missing.stderr.starts_with("error: none.json: "),
-        "{}",
-        missing.stderr
-    );
+    for (name, message) in
+        [("none.json", "there is no such file"), (".", "is a directory, not a file")]
+    {
+        let ended = crossfibre(folder.path(), &["report", "--from", name]);
+        assert_eq!((ended.code, ended.stderr), (1, format!("error: {name}: {message}\n")));
+    }
 }
 
 #[test]

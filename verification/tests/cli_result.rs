@@ -127,9 +127,9 @@ fn what_is_no_result_is_told_and_nothing_is_drawn() {
         ("cut.json", "error: cut.json: the file is cut short\n  help: run the scene again\n"),
         ("table.csv", "error: table.csv: not JSON from line 1, column 2 on"),
         ("scene.json", "this is a scene: `crossfibre run SCENE -o FILE.json` makes a result of it"),
-        ("no-text.json", "error: no-text.json: is no text"),
-        ("nowhere.json", "error: nowhere.json: "),
-        ("folder", "error: folder: "),
+        ("no-text.json", "error: no-text.json: not UTF-8: the byte at offset 0\n  help: "),
+        ("nowhere.json", "error: nowhere.json: there is no such file"),
+        ("folder", "error: folder: is a directory, not a file"),
     ] {
         let ended = crossfibre(folder.path(), &["plot", name, "-o", "picture.svg"]);
         assert_eq!((ended.code, ended.stdout.as_str()), (1, ""), "{name}");

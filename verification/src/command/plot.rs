@@ -1,13 +1,13 @@
 //! `crossfibre plot`: a result as a picture.
 
-use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Result, anyhow, bail};
 use crossfibre::result_file;
 
 use crate::exit::Exit;
+use crate::input;
 use crate::output::Destination;
 use crate::result_plot::picture;
 
@@ -31,17 +31,8 @@ pub fn run(args: &Args) -> Result<Exit> {
     }
     let destination = Destination::of(output)?;
     let to_stdout = matches!(destination, Destination::Stdout);
-    let name = if piped { "<stdin>".into() } else { args.result.display().to_string() };
-    let bytes = if piped {
-        let mut bytes = Vec::new();
-        io::stdin().read_to_end(&mut bytes).context("<stdin>")?;
-        bytes
-    } else {
-        fs::read(&args.result).with_context(|| name.clone())?
-    };
-    let text = String::from_utf8(bytes).map_err(|_| {
-        anyhow!("{name}: is no text\n  help: `crossfibre run SCENE -o FILE.json` writes a result")
-    })?;
+    let (name, text) =
+        input::text(&args.result, "`crossfibre run SCENE -o FILE.json` writes a result")?;
     let result = result_file::read(&text).map_err(|problem| {
         let path =
             if problem.path.is_empty() { String::new() } else { format!("{}: ", problem.path) };

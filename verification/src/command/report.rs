@@ -1,13 +1,13 @@
 //! `crossfibre report`: the reports again, from a stored record.
 
-use std::io::{Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Result, anyhow};
 
 use crate::exit::Exit;
-use crate::record::Record;
+use crate::input;
+use crate::record::{RIGHT_FILE, Record};
 use crate::report;
 
 /// Arguments.
@@ -16,28 +16,17 @@ pub struct Args {
     /// The report.json that `verify` has written, `-` for standard input
     #[arg(long, value_name = "FILE")]
     from: PathBuf,
-    /// Folder for report.html, junit.xml, VALIDATION.md and summary.md; that of FILE if it is not given
+    /// Folder for the reports, all that `verify` writes but report.json; that of FILE if it is not given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
 /// Runs it. That checks have failed is for `verify` to say: this is well when the files are written.
 pub fn run(args: &Args) -> Result<Exit> {
-    let is_standard = args.from == Path::new("-");
-    let name = if is_standard { "standard input".into() } else { args.from.display().to_string() };
-    let bytes = if is_standard {
-        let mut bytes = vec![];
-        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        fs::read(&args.from)
-    };
-    let bytes = bytes.with_context(|| name.clone())?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        anyhow!("{name}: not UTF-8: the byte at offset {at}")
-    })?;
+    let (name, text) = input::text(&args.from, RIGHT_FILE)?;
     let record = Record::read(&text).map_err(|fault| anyhow!("{name}: {fault}"))?;
-    let beside = args.from.parent().filter(|folder| !folder.as_os_str().is_empty() && !is_standard);
+    // Of standard input, `-`, that is the folder in which the command is run.
+    let beside = args.from.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = args.out.as_deref().or(beside).unwrap_or(Path::new("."));
     let files = report::files(&record);
     report::write(folder, &files)?;

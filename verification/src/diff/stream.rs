@@ -1,10 +1,9 @@
 //! A trace as it is read: its header, then its events in the paper's order, one at a time.
 
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read};
+use std::io::Read;
 use std::path::Path;
 
-use anyhow::{Context, Error, Result, anyhow, bail};
+use anyhow::{Error, Result, anyhow, bail};
 use crossfibre::trace_file::Filter;
 
 use super::header;
@@ -12,6 +11,7 @@ use super::lines::{Lines, Trouble};
 use super::rank::{At, Rank};
 use super::record::Evaluation;
 use super::scan::{Quantities, head};
+use crate::input;
 use crate::trace_line::{Event, Header};
 
 /// The longest header, bytes.
@@ -48,20 +48,7 @@ struct Current {
 impl Stream {
     /// The trace of a file, or of standard input for `-`, before its first event.
     pub fn open(path: &Path, filter: Filter) -> Result<Self> {
-        let (name, from): (String, Box<dyn Read>) = if path == Path::new("-") {
-            ("<stdin>".into(), Box::new(io::stdin()))
-        } else {
-            let name = path.display().to_string();
-            match fs::metadata(path) {
-                Err(error) if error.kind() == ErrorKind::NotFound => {
-                    bail!("{name}: there is no such file")
-                }
-                Ok(there) if there.is_dir() => bail!("{name}: is a directory, not a trace"),
-                _ => (),
-            }
-            let file = File::open(path).with_context(|| name.clone())?;
-            (name, Box::new(file))
-        };
+        let (name, from) = input::open(path)?;
         Self::of(name, from, filter)
     }
 

@@ -8,6 +8,9 @@ use serde_json::error::Category;
 use super::{FORMAT, Record};
 use crate::cases::{self, Verdict};
 
+/// What to do about what is no record.
+pub const RIGHT_FILE: &str = "name the report.json that `crossfibre verify` has written";
+
 /// Why a text is no record.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -83,7 +86,7 @@ impl fmt::Display for Fault {
                 );
             }
         }
-        write!(to, "\n  help: name the report.json that `crossfibre verify` has written")
+        write!(to, "\n  help: {RIGHT_FILE}")
     }
 }
 
