@@ -61,6 +61,15 @@ impl Destination {
     }
 }
 
+/// Makes a folder fit to be written to, if there is none: before the work whose outcome it is for.
+pub fn make_folder(folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder)
+        .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
+    tempfile::tempfile_in(folder)
+        .with_context(|| format!("{}: cannot be written to", folder.display()))?;
+    Ok(())
+}
+
 fn name(path: &Path) -> String {
     path.display().to_string()
 }
@@ -184,5 +193,17 @@ mod tests {
         let refused = |path: &Path| Destination::of(Some(path)).unwrap_err().to_string();
         assert!(refused(folder.path()).ends_with(": is a directory"));
         assert!(refused(&folder.path().join("a/b.json")).contains("there is no folder"));
+    }
+
+    #[test]
+    fn a_folder_is_made_with_those_it_is_in_but_not_where_a_file_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, new] = ["file", "a/b"].map(|name| folder.path().join(name));
+        fs::write(&file, "mine").unwrap();
+        let refused = make_folder(&file).unwrap_err();
+        assert!(format!("{refused:#}").contains("file: cannot be made a folder: "), "{refused:#}");
+        make_folder(&new).unwrap();
+        make_folder(&new).unwrap();
+        assert_eq!(fs::read_dir(&new).unwrap().count(), 0);
     }
 }

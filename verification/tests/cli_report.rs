@@ -67,6 +67,15 @@ fn a_record_that_cannot_be_read_is_told_in_a_line_and_nothing_is_written() {
         let ended = crossfibre(folder.path(), &["report", "--from", name]);
         assert_eq!((ended.code, ended.stderr), (1, format!("error: {name}: {message}\n")));
     }
+    fs::write(folder.path().join("whole.json"), whole).unwrap();
+    let refused =
+        crossfibre(folder.path(), &["report", "--from", "whole.json", "--out", "bad.json"]);
+    assert_eq!(refused.code, 1);
+    assert!(
+        refused.stderr.starts_with("error: bad.json: cannot be made a folder: "),
+        "{}",
+        refused.stderr
+    );
 }
 
 #[test]

@@ -85,6 +85,20 @@ fn colours_are_for_terminals_and_for_those_who_ask_for_them() {
 }
 
 #[test]
+fn what_reports_cannot_be_written_to_or_compared_with_is_told_before_the_checks() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), "mine").unwrap();
+    for (arguments, part) in [
+        (&["--filter", "identity.both", "--out", "file"][..], "file: cannot be made a folder: "),
+        (&["--compare", "none.md", "--out", "out"], "none.md: there is no such file"),
+    ] {
+        let ended = crossfibre(folder.path(), &[&["verify"], arguments].concat());
+        assert_eq!((ended.code, ended.stdout.as_str()), (1, ""));
+        assert!(ended.stderr.starts_with(&format!("error: {part}")), "{}", ended.stderr);
+    }
+}
+
+#[test]
 fn what_contradicts_itself_is_bad_usage() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, part) in [

@@ -8,6 +8,7 @@ use indicatif::ProgressBar;
 
 use crate::cases::Case;
 use crate::exit::Exit;
+use crate::output::make_folder;
 use crate::planted;
 use crate::report;
 use crate::sensitivity::judge::judge;
@@ -16,6 +17,8 @@ use crate::sensitivity::{one, page};
 
 /// Measures the matrix, stores it with its page in a folder and judges it.
 pub fn run(asked: &Asked<'_>, folder: &Path, as_json: bool) -> Result<Exit> {
+    // Before half an hour of work, not after.
+    make_folder(folder)?;
     let faults = planted::all();
     // Drawn on standard error, and only if that is a terminal.
     let bar = ProgressBar::new((faults.len() + planted::rewrites().len()) as u64);

@@ -3,12 +3,12 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::exit::Exit;
-use crate::output::{Destination, Output};
+use crate::output::{Destination, Output, make_folder};
 
 /// Arguments of `completions`.
 #[derive(clap::Args)]
@@ -40,7 +40,7 @@ pub fn man(args: &Pages, mut cli: clap::Command) -> Result<Exit> {
         page(cli, Destination::Stdout.open()?)?;
         return Ok(Exit::Well);
     };
-    std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    make_folder(folder)?;
     // Gives the subcommands their full names.
     cli.build();
     let mut waiting = vec![cli];

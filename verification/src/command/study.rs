@@ -1,10 +1,10 @@
 //! `crossfibre study`: sweeps of many runs, and what is drawn from them.
 
+use std::env;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Subcommand;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 use crate::cost;
 use crate::exit::{self, Exit};
 use crate::extremes;
-use crate::output::Destination;
+use crate::output::{Destination, make_folder};
 use crate::precision::measure::{Effort, times};
 use crate::sweep::{Places, Point, Shard, sweep};
 use crate::{figures, precision, stability};
@@ -151,8 +151,7 @@ fn write_extremes(out: Option<&Path>) -> Result<Exit> {
         write!(io::stdout().lock(), "{}", extremes::page())?;
         return Ok(Exit::Well);
     };
-    fs::create_dir_all(folder)
-        .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
+    make_folder(folder)?;
     write(&folder.join("README.md"), &extremes::page())?;
     Ok(Exit::Well)
 }
@@ -177,8 +176,7 @@ where
         Path::new("target/study").join(format!("{short}-points")).join(env!("CROSSFIBRE_SOURCE"))
     });
     // Before hours of work, not after.
-    fs::create_dir_all(&out)
-        .with_context(|| format!("{}: cannot be made a folder", out.display()))?;
+    make_folder(&out)?;
     let places = Places { points: folder, from, shard };
     let values = sweep(name, points, &places, compute)?;
     let all = values.len();
@@ -197,8 +195,7 @@ where
 }
 
 fn write_cost(args: &Page) -> Result<Exit> {
-    fs::create_dir_all(&args.out)
-        .with_context(|| format!("{}: cannot be made a folder", args.out.display()))?;
+    make_folder(&args.out)?;
     let costs = cost::costs(&env::current_exe()?)?;
     let page = cost::page(&costs);
     write(&args.out.join("README.md"), &page)?;

@@ -1,19 +1,20 @@
 //! `crossfibre verify`: runs the checks, says what came of them, and writes the reports.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use serde_json::json;
 
 use super::{sensitivity, verify_shown};
 use crate::cases::support::shipped;
 use crate::cases::{self, Case};
 use crate::exit::{Exit, say};
+use crate::input;
+use crate::output::make_folder;
 use crate::record::{CaseRecord, Record};
-use crate::report;
+use crate::report::{self, words::count};
 use crate::sensitivity::measure::Asked;
 use crate::wide;
 
@@ -66,9 +67,16 @@ pub fn run(args: &Args) -> Result<Exit> {
         let asked = Asked { cases: &chosen, arguments: &args.selection() };
         return sensitivity::run(&asked, folder, args.json);
     }
+    // Before the checks, which take a while: what the reports are written to and compared with.
+    let folder = args.folder();
+    folder.map_or(Ok(()), make_folder)?;
+    let old = args.compare.as_deref().map(|file| input::text(file, REPORT)).transpose()?;
     let records = verify_shown::run(&chosen, !args.json)?;
     let well = records.iter().flat_map(CaseRecord::troubles).next().is_none();
-    let stale = if args.is_part() { part(args, records)? } else { whole(args, records)? };
+    let stale = match folder {
+        Some(folder) if !args.is_part() => whole(args, folder, records, old)?,
+        _ => part(args, folder, records)?,
+    };
     Ok(if well && !stale { Exit::Well } else { Exit::CheckFailed })
 }
 
@@ -76,6 +84,11 @@ impl Args {
     /// Whether cases are left out.
     fn is_part(&self) -> bool {
         self.quick || !self.filter.is_empty()
+    }
+
+    /// The folder to write reports to; none where a part of the cases has none.
+    fn folder(&self) -> Option<&Path> {
+        self.out.as_deref().or_else(|| (!self.is_part()).then_some(Path::new(report::FOLDER)))
     }
 
     /// The arguments that choose the same cases.
@@ -119,13 +132,13 @@ fn list(cases: &[Case], as_json: bool) -> Result<()> {
 }
 
 /// The end of a part of the cases.
-fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
+fn part(args: &Args, folder: Option<&Path>, records: Vec<CaseRecord>) -> Result<bool> {
     if args.json {
         writeln!(io::stdout().lock(), "{}", serde_json::to_string_pretty(&records)?)?;
     } else {
         tell(&records)?;
     }
-    if let Some(folder) = &args.out {
+    if let Some(folder) = folder {
         let mut files = written(&Record::around(records));
         // That one is of all cases.
         files.retain(|(name, _)| *name != VALIDATION);
@@ -134,9 +147,13 @@ fn part(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
     Ok(false)
 }
 
-/// The end of all cases: the reports; whether the one to compare with is stale.
-fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
-    let out = args.out.as_deref().unwrap_or(Path::new(report::FOLDER));
+/// The end of all cases: the reports; whether the old one, of this name and text, is stale.
+fn whole(
+    args: &Args,
+    out: &Path,
+    records: Vec<CaseRecord>,
+    old: Option<(String, String)>,
+) -> Result<bool> {
     let record = Record::around(records);
     let files = written(&record);
     report::write(out, &files)?;
@@ -152,11 +169,8 @@ fn whole(args: &Args, records: Vec<CaseRecord>) -> Result<bool> {
         )?;
         writeln!(to, "reports: {}", out.display())?;
     }
-    let validation = files.iter().find(|(name, _)| *name == VALIDATION).map(|(_, text)| text);
-    match (&args.compare, validation) {
-        (Some(file), Some(validation)) => is_stale(file, validation, out),
-        _ => Ok(false),
-    }
+    let fresh = files.iter().find(|(name, _)| *name == VALIDATION).map(|(_, text)| text);
+    Ok(old.zip(fresh).is_some_and(|((name, old), fresh)| is_stale(&name, &old, fresh, out)))
 }
 
 /// What failed, and how many.
@@ -165,7 +179,12 @@ fn tell(records: &[CaseRecord]) -> io::Result<()> {
     verify_shown::failures(records, &mut to)?;
     let checks: usize = records.iter().map(|case| case.checks.len()).sum();
     let failed = records.iter().flat_map(CaseRecord::troubles).count();
-    writeln!(to, "\n{} passed, {failed} failed, in {} cases", checks - failed, records.len())
+    writeln!(
+        to,
+        "\n{} passed, {failed} failed, in {}",
+        checks - failed,
+        count(records.len(), "case")
+    )
 }
 
 /// How long the paper's timing example takes: the shortest of some runs. In no report, because it is
@@ -183,23 +202,24 @@ fn timing_example() -> Duration {
 /// The report that is in the repository.
 const VALIDATION: &str = "VALIDATION.md";
 
+/// What to do about a file that cannot be compared with it.
+const REPORT: &str = "name the VALIDATION.md of the repository";
+
 /// The record and the reports.
 fn written(record: &Record) -> Vec<(&'static str, String)> {
     [("report.json", record.json())].into_iter().chain(report::files(record)).collect()
 }
 
-/// Whether a file differs from the report just written; says where.
-fn is_stale(file: &Path, fresh: &str, folder: &Path) -> Result<bool> {
-    let old = fs::read_to_string(file).with_context(|| file.display().to_string())?;
+/// Whether an old report differs from the one just written; says where.
+fn is_stale(name: &str, old: &str, fresh: &str, folder: &Path) -> bool {
     if old == fresh {
-        return Ok(false);
+        return false;
     }
     let line = old.lines().zip(fresh.lines()).take_while(|(a, b)| a == b).count();
     say(&format!(
-        "{} is stale from line {} on: read the difference, then copy {} over it",
-        file.display(),
+        "{name} is stale from line {} on: read the difference, then copy {} over it",
         line + 1,
         folder.join(VALIDATION).display()
     ));
-    Ok(true)
+    true
 }

@@ -7,13 +7,12 @@ mod prose;
 pub mod summary;
 pub mod words;
 
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::output::Destination;
+use crate::output::{Destination, make_folder};
 use crate::record::Record;
 use crate::sensitivity::page::page;
 
@@ -35,7 +34,7 @@ pub fn files(record: &Record) -> Vec<(&'static str, String)> {
 /// Writes files into a folder, which is made if there is none: everything is on the disk under other
 /// names before the first file takes its own.
 pub fn write(folder: &Path, files: &[(&str, String)]) -> Result<()> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    make_folder(folder)?;
     let mut whole = Vec::new();
     for (name, text) in files {
         let path = folder.join(name);
@@ -49,6 +48,8 @@ pub fn write(folder: &Path, files: &[(&str, String)]) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]
