@@ -129,6 +129,10 @@ fn completions_and_manual_pages_know_every_command() {
     assert_eq!(crossfibre(folder.path(), &["man", "--out", "man"]).code, 0);
     for page in ["crossfibre.1", "crossfibre-run.1", "crossfibre-study-work-precision.1"] {
         let text = fs::read_to_string(folder.path().join("man").join(page)).unwrap();
-        assert!(text.contains(".SH SYNOPSIS"), "{page}");
+        assert!(
+            text.contains(".SH SYNOPSIS") && text.contains(" 1 \" \" \"crossfibre 0."),
+            "{page}"
+        );
+        assert!(!text.contains("help(1)"), "{page}: a page that is not there");
     }
 }

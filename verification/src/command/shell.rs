@@ -35,7 +35,9 @@ pub fn completions(args: &Completions, mut cli: clap::Command) -> Result<Exit> {
     Ok(Exit::Well)
 }
 
-pub fn man(args: &Pages, mut cli: clap::Command) -> Result<Exit> {
+pub fn man(args: &Pages, cli: clap::Command) -> Result<Exit> {
+    // `help` has no page of its own: the pages are it.
+    let mut cli = cli.disable_help_subcommand(true);
     let Some(folder) = &args.out else {
         page(cli, Destination::Stdout.open()?)?;
         return Ok(Exit::Well);
@@ -45,7 +47,7 @@ pub fn man(args: &Pages, mut cli: clap::Command) -> Result<Exit> {
     cli.build();
     let mut waiting = vec![cli];
     while let Some(command) = waiting.pop() {
-        waiting.extend(command.get_subcommands().filter(|sub| sub.get_name() != "help").cloned());
+        waiting.extend(command.get_subcommands().cloned());
         let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
         page(command, Destination::of(Some(&folder.join(format!("{name}.1"))))?.open()?)?;
     }
@@ -53,6 +55,8 @@ pub fn man(args: &Pages, mut cli: clap::Command) -> Result<Exit> {
 }
 
 fn page(command: clap::Command, mut out: Output) -> Result<()> {
-    Man::new(command).render(&mut out)?;
+    let program = concat!("crossfibre ", env!("CARGO_PKG_VERSION"));
+    // Blank, not empty: an empty date is no argument, and the program would stand in its place.
+    Man::new(command).date(" ").source(program).manual("crossfibre").render(&mut out)?;
     out.finish()
 }
