@@ -91,6 +91,9 @@ fn facts(record: &Record, case: &CaseRecord) -> Markup {
 /// The faults that a case is known to notice.
 fn catches(record: &Record, case: &CaseRecord) -> Markup {
     let Some(matrix) = &record.sensitivity else { return html! {} };
+    if !matrix.checks.iter().any(|column| column.case == case.id) {
+        return html! { p.faults { "The planted faults were not tried on this case." } };
+    }
     let faults: Vec<_> = matrix.noticed_by_case(&case.id).collect();
     html! {
         details.faults {

@@ -128,6 +128,14 @@ mod tests {
     }
 
     #[test]
+    fn a_case_says_which_faults_it_catches_or_that_they_were_not_tried_on_it() {
+        let page = render(&made_up::record());
+        assert_eq!(page.matches("Catches 2 planted faults of 3").count(), 1);
+        // The matrix knows the first of three cases only.
+        assert_eq!(page.matches("were not tried on this case").count(), 2);
+    }
+
+    #[test]
     fn every_link_into_the_page_finds_its_place_and_no_id_is_there_twice() {
         let page = render(&made_up::record());
         let names = |mark: &'static str| {
