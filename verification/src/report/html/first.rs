@@ -1,6 +1,8 @@
 //! The first screen: did everything pass, what is proven and what is not, how accurate for how much
 //! time, what the paper got wrong.
 
+use std::collections::BTreeSet;
+
 use maud::{Markup, html};
 
 use super::cost::{in_words, page_or_cheapest};
@@ -9,7 +11,7 @@ use crate::cases::Verdict;
 use crate::claims::{Claim, Finding};
 use crate::ledger_effects::CrossoverRow;
 use crate::record::Record;
-use crate::report::words::{count, number, visible};
+use crate::report::words::{count, equations, number, visible};
 
 /// The verdict in a sentence.
 pub fn verdict(record: &Record) -> String {
@@ -121,21 +123,22 @@ fn accurate(record: &Record) -> Markup {
 }
 
 fn wrong(record: &Record) -> Markup {
-    let errata = record.ledger.iter().filter(|line| line.kind == "erratum").count();
+    let errata: Vec<_> = record.ledger.iter().filter(|line| line.kind == "erratum").collect();
+    let changed: BTreeSet<u8> = errata.iter().flat_map(|line| &line.equations).copied().collect();
     let effects = &record.effects;
     let (printed, corrected) = (effects.crossover.first(), effects.crossover.last());
-    type Row = (&'static str, fn(&CrossoverRow) -> f64);
+    type Row = (&'static str, fn(&CrossoverRow) -> String);
     let rows: [Row; 4] = [
-        ("R", |row| row.reflection),
-        ("T", |row| row.transmission),
-        ("D", |row| row.diversion),
-        ("energy lost or gained", |row| row.energy),
+        ("reflected, R", |row| number(row.reflection)),
+        ("transmitted, T", |row| number(row.transmission)),
+        ("diverted, D", |row| number(row.diversion)),
+        ("energy lost or gained", |row| format!("{:.2} %", 100.0 * row.energy)),
     ];
     html! {
         section.card {
             h2 { "What did the paper get wrong?" }
-            p.figure { (errata) span.of { " errata in its equations, " (record.ledger.len() - errata)
-                " other departures" } }
+            p.figure { (errata.len()) span.of { " errata in equations "
+                (equations(&changed.into_iter().collect::<Vec<_>>())) } }
             @if let (Some(printed), Some(corrected)) = (printed, corrected) {
                 table.small {
                     caption { "Fig. 3 at 0.25 mm" }
@@ -143,13 +146,13 @@ fn wrong(record: &Record) -> Markup {
                         th scope="col" { "exact" } } }
                     tbody {
                         @for (name, of) in rows {
-                            tr { th.text scope="row" { (name) } td { (number(of(printed))) }
-                                td { (number(of(corrected))) } td { (number(of(&effects.exact))) } }
+                            tr { th.text scope="row" { (name) } td { (of(printed)) }
+                                td { (of(corrected)) } td { (of(&effects.exact)) } }
                         }
                     }
                 }
             }
-            p.more { a href="#wrong" { "Every departure, with its measured effect" } }
+            p.more { a href="#wrong" { "Every departure, " (record.ledger.len()) " in all, with its measured effect" } }
         }
     }
 }

@@ -136,6 +136,12 @@ mod tests {
     }
 
     #[test]
+    fn the_first_screen_names_the_equations_that_are_wrong() {
+        let page = render(&made_up::record());
+        assert!(page.contains("errata in equations (17)<"), "{page}");
+    }
+
+    #[test]
     fn every_link_into_the_page_finds_its_place_and_no_id_is_there_twice() {
         let page = render(&made_up::record());
         let names = |mark: &'static str| {
