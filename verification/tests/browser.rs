@@ -62,6 +62,8 @@ addEventListener('load', async () => {
     picture: corner(document.images[0]),
     pictures: document.images.length,
     broken: [...document.images].filter(e => e.naturalWidth === 0).length,
+    spilt: [...document.querySelectorAll('summary')].filter(e => seen(e) && [...e.children].some(child =>
+      child.getBoundingClientRect().bottom > e.getBoundingClientRect().bottom)).length,
     targets: [...document.querySelectorAll('nav a, summary')].filter(e => seen(e)
       && e.getBoundingClientRect().height < 24).length,
   };
@@ -125,7 +127,7 @@ fn the_page_is_read_in_both_schemes_at_both_widths_by_keyboard_and_without_a_net
             assert!(number("scroll") <= number("width"), "wider than {width}: {found}");
             assert_eq!(found["wide"], Value::Array(vec![]), "beyond the edge at {width}: {found}");
             assert!(number("stops") > 50 && number("reached") == number("stops"), "{found}");
-            for none in ["forced", "unnamed", "broken", "targets"] {
+            for none in ["forced", "unnamed", "broken", "spilt", "targets"] {
                 assert_eq!(number(none), 0, "{none} at {width}: {found}");
             }
             assert_eq!(found["fetched"], Value::Array(vec![]), "{found}");
