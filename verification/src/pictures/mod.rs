@@ -1,7 +1,8 @@
-//! The pictures of a report: those stored in `docs/`, which studies have drawn, and one that is drawn
+//! The pictures of a report: those stored in `docs/`, which studies have drawn, and those that are drawn
 //! with the record. Each has its own ground, light and dark.
 
 mod energy;
+mod laws;
 pub mod motion;
 mod stored;
 
@@ -52,6 +53,15 @@ const OF_CASES: &[(&str, &[&str])] = &[
     ("projectile.", &["stability-mass"]),
     ("energy.", &["energy"]),
     ("motion.", &["xt", "xt-exact", "motion"]),
+    ("identity.free-sliding", &["fig5", "fig6", "fig7"]),
+    ("identity.wavefront-flags", &["xt"]),
+    ("identity.causality", &["xt"]),
+    ("material.rod", &["work-rod"]),
+    ("material.", &["laws"]),
+    ("extreme.velocity", &["stability-velocity"]),
+    ("extreme.crossover", &["stability-modulus"]),
+    ("extreme.projectile", &["stability-mass"]),
+    ("extreme.laws", &["laws"]),
     ("precision.cost", &["time"]),
     ("precision.", &["work-single", "work-crossed", "work-unequal"]),
 ];
@@ -66,7 +76,7 @@ pub fn of_case(case: &str) -> Vec<String> {
 pub fn all() -> Vec<Picture> {
     let mut pictures: Vec<Picture> = stored::PICTURES.iter().map(stored::Stored::picture).collect();
     let after = pictures.iter().position(|p| p.id == "motion").map_or(pictures.len(), |at| at + 1);
-    pictures.insert(after, energy::picture());
+    pictures.splice(after..after, [energy::picture(), laws::picture()]);
     pictures
 }
 
