@@ -48,8 +48,9 @@ pub fn render(record: &Record) -> String {
         cell(&line(&record.build.target)),
         cell(&line(&record.build.source)).replace('`', "'"),
     );
-    out += "In full: `report.html` and `VALIDATION.md` of this job; how things are derived: \
-            [docs/exact](docs/exact); how to change them: [CONTRIBUTING.md](CONTRIBUTING.md).\n";
+    // Paths and no links: the page of a job is no place of the repository.
+    out += "In full: `report.html` and `VALIDATION.md` of this job; how things are derived: `docs/exact`; \
+            how to change them: `CONTRIBUTING.md`.\n";
     out
 }
 
