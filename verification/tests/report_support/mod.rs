@@ -3,12 +3,20 @@
 
 use crossfibre::errata::LEDGER;
 use crossfibre_verification::precision::{self, answer::wanted, stored::stored};
-use crossfibre_verification::record::{LedgerLine, Record, made_up};
+use crossfibre_verification::record::{CaseRecord, LedgerLine, Record, made_up};
 use crossfibre_verification::{examined, pictures, sensitivity};
 
 /// The record.
 pub fn record() -> Record {
+    let made_up = made_up::record();
+    // Titles of every length: some fill their last line.
+    let titled = |words: usize| CaseRecord {
+        id: format!("titled.{words}"),
+        title: "word ".repeat(words),
+        ..made_up.cases[0].clone()
+    };
     Record {
+        cases: made_up.cases.iter().cloned().chain((0..30).map(titled)).collect(),
         ledger: LEDGER.iter().map(LedgerLine::from).collect(),
         accuracy: precision::section(stored()),
         cost: wanted::stored(),
@@ -16,6 +24,6 @@ pub fn record() -> Record {
         motion: Some(pictures::motion::fig3()),
         sensitivity: Some(sensitivity::stored::stored().clone()),
         examined: examined::stored(),
-        ..made_up::record()
+        ..made_up
     }
 }
