@@ -259,9 +259,9 @@ impl<M: PiecewiseLinear> Fronts<M> {
                 accounts.work += force.dot(&self.velocity) * elapsed;
             }
             if self.joint(index, Meeting::End) == Joint::Clamp {
-                // Two arms of a secondary within the half; what their mirror symmetry cancels is
-                // along z. At the origin half of each arm belongs to the half.
-                let arms = if self.spans.len() == 3 && index == 2 { 2.0 } else { 1.0 };
+                // Two arms of a secondary within the half, the third span; what their mirror symmetry
+                // cancels is along z. At the origin half of each arm belongs to the half.
+                let arms = if index == 2 { 2.0 } else { 1.0 };
                 accounts.impulse += tension(span, span.end()) * (arms * elapsed);
             }
         }

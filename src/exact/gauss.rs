@@ -76,4 +76,36 @@ mod tests {
             assert!((sign * found / expected - 1.0).abs() < 4e-13, "{found} {expected}");
         }
     }
+
+    /// The integral from 0 to 1, and how often the integrand was asked.
+    fn counted(f: impl Fn(f64) -> f64) -> (f64, u32) {
+        let asked = std::cell::Cell::new(0);
+        let found = integral(0.0, 1.0, &|x| {
+            asked.set(asked.get() + 1);
+            assert!(asked.get() < 100_000, "no end is in sight");
+            f(x)
+        });
+        (found, asked.get())
+    }
+
+    #[test]
+    fn integral_that_does_not_exist_ends_after_forty_halvings() {
+        // Of 1/x every halving leaves as much on its left as there was: one integral to the left
+        // end and one more to the right of it at each depth, of which those to the right are done
+        // at once. The sum from 2⁻⁴¹ to 1 is 41 ln 2, and the rule makes of the rest, whose integral
+        // is infinite, a number between its 24 points and its first.
+        let (found, asked) = counted(|x| 1.0 / x);
+        let whole = 41.0 * std::f64::consts::LN_2;
+        assert!(whole < found && found < whole + 24.0, "{found}");
+        let rules = 1 + 2 * (DEPTH + 1) + 2 * DEPTH;
+        let points = 2 * RULE.len() as u32;
+        assert_eq!(asked, points * rules);
+    }
+
+    #[test]
+    fn integrand_that_is_no_number_is_not_halved() {
+        let (found, asked) = counted(|_| f64::NAN);
+        assert!(found.is_nan());
+        assert_eq!(asked, 3 * 2 * RULE.len() as u32);
+    }
 }

@@ -123,7 +123,8 @@ impl Polygon {
         self.velocity[chord] + self.speed[chord] * part
     }
 
-    /// √([T]/(ρ[ε])): an unloading wave of a concave law is one shock.
+    /// √([T]/(ρ[ε])): an unloading wave of a concave law is one shock. One of no width is as fast as
+    /// its chord.
     fn shock_speed(&self, from: f64, to: f64) -> f64 {
         let ((first, above), (last, part)) = (self.chord(from), self.chord(to));
         if first == last {
@@ -163,8 +164,7 @@ impl Elastic for Polygon {
     fn pieces(&self, from: f64, to: f64) -> Vec<Piece> {
         let (first, last) = (self.chord(from).0, self.chord(to).0);
         if to <= from {
-            let speed = if to < from { self.shock_speed(from, to) } else { self.speed[first] };
-            return vec![jump(from, to, speed)];
+            return vec![jump(from, to, self.shock_speed(from, to))];
         }
         (first..=last)
             .map(|chord| {
@@ -187,10 +187,8 @@ impl Elastic for Polygon {
             } else {
                 self.velocity(to) - self.velocity(from)
             }
-        } else if to < from {
-            self.shock_speed(from, to) * (to - from)
         } else {
-            0.0
+            self.shock_speed(from, to) * (to - from)
         }
     }
 

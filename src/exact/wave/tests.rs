@@ -108,6 +108,8 @@ fn profile_goes_through_fans_and_jumps_at_shocks() {
         let back = (law.tangent_modulus(strain) / law.density()).sqrt();
         assert!((back / xi - 1.0).abs() < 1e-14, "{back} {xi}");
     }
+    // At a shock, the strain ahead.
+    assert_eq!(wave.strain_at(shock.speeds.0), shock.from);
     // Across the shock, from one touching point to the other: to first order in the 1e-9 of speed.
     let (ahead, behind) = (
         wave.strain_at(shock.speeds.0 * (1.0 + 1e-9)),

@@ -41,6 +41,39 @@ fn polygon_is_made_of_chords_of_its_law() {
 }
 
 #[test]
+fn energy_of_a_polygon_is_the_area_under_it() {
+    // ½(T + T′) over a chord is short of the law's integral by T″h³/12, which adds up to
+    // h²/12 of the fall of T′; T‴ takes 3h/4 of that away or adds it.
+    let spacing = 0.0013;
+    let polygon = Polygon::inscribed(&LAW, spacing, 300);
+    for chords in [3.0, 31.0, 270.0] {
+        let strain: f64 = chords * spacing;
+        let short = LAW.stored_energy(strain) - polygon.stored_energy(strain);
+        let fall = LAW.tangent_modulus(0.0) - LAW.tangent_modulus(strain);
+        let error = short / (spacing * spacing / 12.0 * fall) - 1.0;
+        assert!(error.abs() < spacing, "{chords}: {error}");
+    }
+    // Within a chord the tension is a straight line.
+    let (from, to) = (31.2 * spacing, 31.7 * spacing);
+    let mean = (polygon.tension(from) + polygon.tension(to)) / 2.0;
+    let area = polygon.stored_energy(to) - polygon.stored_energy(from);
+    assert!((area / (mean * (to - from)) - 1.0).abs() < 1e-11, "{area}");
+}
+
+#[test]
+fn wave_of_no_width_is_one_jump_of_nothing_at_the_speed_of_its_chord() {
+    let spacing = 0.0137;
+    let polygon = Polygon::inscribed(&LAW, spacing, 60);
+    for strain in [0.0, 0.0071, 0.5013] {
+        let speed = polygon.wave_speeds(strain, strain).0;
+        let [jump] = polygon.pieces(strain, strain)[..] else { panic!("not one piece") };
+        assert_eq!((jump.from, jump.to, jump.velocity), (strain, strain, 0.0));
+        assert_eq!(jump.speeds, (speed, speed));
+        assert_eq!(polygon.wave_velocity(strain, strain), 0.0);
+    }
+}
+
+#[test]
 fn loading_is_a_row_of_chords_and_unloading_one_shock() {
     let spacing = 0.0137;
     let polygon = Polygon::inscribed(&LAW, spacing, 60);

@@ -246,6 +246,27 @@ proptest! {
     }
 }
 
+#[test]
+fn fibre_bent_back_over_itself_and_pulled_apart_sideways_opens_across() {
+    // t_R = −t_L, so |t*| = 1 is Uλ* = |v_R − v_L|/2 along that difference, whatever W takes away:
+    // by the engineering law c√(ε(1 + ε)). Tolerance: some roundings of a root.
+    let m = elastic(Law::Engineering, ARAMID);
+    let (c, t) = (sound(&m), Vector3::new(0.6, -0.8, 0.0));
+    let apart = Vector3::new(0.8, 0.6, 0.0);
+    let state = |sign: f64| State {
+        strain: 0.0173,
+        direction: t * sign,
+        velocity: Vector3::new(3.1, -7.9, 1.3) - apart * (sign * 0.21 * c),
+    };
+    let [left, right] = interior(&m, state(1.0), state(-1.0)).unwrap();
+    let strain = (0.25 + 0.21 * 0.21_f64).sqrt() - 0.5;
+    assert!((right.behind.strain / strain - 1.0).abs() < 1e-14, "{right:?}");
+    assert!((right.behind.direction - apart).norm() < 1e-14, "{right:?}");
+    let joint = right.behind.velocity;
+    assert_waves(&m, &left, joint, 1e-14);
+    assert_waves(&m, &right, joint, 1e-14);
+}
+
 /// The scene of Fig. 3 at the crossover, with this secondary.
 fn figure_3(law: Law, secondary: Fibre, slide: f64) -> Junction {
     let (m1, m2) = (elastic(law, ARAMID), elastic(law, secondary));
