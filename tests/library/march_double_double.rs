@@ -1,6 +1,8 @@
 //! The march with 32 digits: it runs, it has the digits of its numbers, and what separates it from
 //! the march in `f64` is the rounding of `f64`.
 
+use std::cmp::max_by;
+
 use crate::common::{exact, run, shipped, short_scenes, steps};
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::double_double::DoubleDouble;
@@ -20,7 +22,7 @@ fn apart<'a>(
     double: impl IntoIterator<Item = &'a f64>,
 ) -> f64 {
     let difference = |(l, d): (&DoubleDouble, &f64)| (*l - DoubleDouble::from_f64(*d)).to_f64();
-    long.into_iter().zip(double).map(|pair| difference(pair).abs()).fold(0.0, f64::max)
+    long.into_iter().zip(double).map(|pair| difference(pair).abs()).max_by(f64::total_cmp).unwrap()
 }
 
 /// Greatest differences of strain, of velocity over c and of position over Δx, in units of what
@@ -90,11 +92,11 @@ fn an_axial_wave_has_the_digits_of_the_number() {
             let step = state.step as usize;
             let off = |x: S, whole: usize| (x - S::count(whole)).to_f64().abs();
             for (e, &strain) in state.primary.strain.iter().enumerate() {
-                worst = worst.max(off(strain / unit, mesh.strain(e, step)));
+                worst = max_by(worst, off(strain / unit, mesh.strain(e, step)), f64::total_cmp);
             }
             for (i, velocity) in state.primary.velocity.iter().enumerate() {
-                worst = worst
-                    .max((velocity.x / speed + S::count(mesh.velocity(i, step))).to_f64().abs());
+                let off = (velocity.x / speed + S::count(mesh.velocity(i, step))).to_f64().abs();
+                worst = max_by(worst, off, f64::total_cmp);
             }
         });
         assert_eq!(outcome, Outcome::Completed);

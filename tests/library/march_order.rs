@@ -1,5 +1,7 @@
 //! The order of the equations within a step, and the time level of everything that enters them.
 
+use std::cmp::max_by;
+
 use crate::common::{bits, run, short_scenes, steps, trace};
 use crossfibre::corrected::{Corrected, Incremental};
 use crossfibre::march;
@@ -308,7 +310,7 @@ fn a_finished_step_satisfies_the_impulse_balance_of_eqn_1() {
             let size = new.velocity[i].amax() * new.properties.mass / state.time_step
                 + old.pull[i].amax().max(old.pull[i - 1].amax());
             if size > 0.0 {
-                worst = worst.max(residual.amax() / size);
+                worst = max_by(worst, (residual.amax() / size).abs(), f64::total_cmp);
             }
         }
         before = state.clone();
