@@ -102,7 +102,10 @@ fn what_reports_cannot_be_written_to_or_compared_with_is_told_before_the_checks(
 fn what_contradicts_itself_is_bad_usage() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, part) in [
-        (&["--filter", "golden", "--filter", "smiht"][..], "no case has `smiht` in its name"),
+        (
+            &["--filter", "golden", "--filter", "smiht"][..],
+            "no case has `smiht` in its name, did you mean `smith`?",
+        ),
         (&["--quick", "--filter", "precision.gci"], "none of these cases is quick"),
         (&["--quick", "--full"], "cannot be used with"),
         (&["--quick", "--compare", "a.md"], "cannot be used with"),

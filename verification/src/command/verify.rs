@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
+use crossfibre::nearest::nearest;
 use serde_json::json;
 
 use super::{sensitivity, verify_shown};
@@ -103,7 +104,11 @@ fn chosen(args: &Args) -> Result<Vec<Case>> {
     let mut cases = if args.full { cases::full() } else { cases::all() };
     for part in &args.filter {
         if !cases.iter().any(|case| case.id.contains(part)) {
-            bail!("no case has `{part}` in its name; `crossfibre verify --list` names them");
+            let known: Vec<_> =
+                cases.iter().flat_map(|case| case.id.split('.').chain([case.id])).collect();
+            let meant = nearest(part, &known)
+                .map_or(String::new(), |meant| format!(", did you mean `{meant}`?"));
+            bail!("no case has `{part}` in its name{meant}; `crossfibre verify --list` names them");
         }
     }
     let named = |case: &Case| {
