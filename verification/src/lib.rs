@@ -43,3 +43,4 @@ pub mod timing;
 pub mod trace_line;
 pub mod wide;
 pub mod worked;
+pub mod worse;

@@ -11,6 +11,7 @@ use super::support::{check, measured_by, shipped};
 use super::{Bound, Case, Check};
 use crate::oracle::{frequency, mesh_strain, mesh_velocity};
 use crate::planted::{self, Edition, at_impact};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -73,11 +74,11 @@ fn impact() -> Vec<Check> {
     planted::march::run(&edition(), &mut state, steps as u64, |state| {
         let step = state.step as usize;
         for (e, &measured) in state.primary.strain.iter().enumerate() {
-            strain = strain.max((measured / unit - mesh_strain(mesh, e, step) as f64).abs());
+            strain = worse(strain, (measured / unit - mesh_strain(mesh, e, step) as f64).abs());
         }
         for (i, measured) in state.primary.velocity.iter().enumerate() {
             velocity =
-                velocity.max((-measured.x / speed - mesh_velocity(mesh, i, step) as f64).abs());
+                worse(velocity, (-measured.x / speed - mesh_velocity(mesh, i, step) as f64).abs());
         }
     });
     let oracle = "d'Alembert's solution by the method of images, reflections included";
@@ -113,7 +114,7 @@ fn standing_waves() -> Vec<Check> {
                 format!("At α = {courant} a standing wave oscillates at the scheme's own frequency"),
                 "sin(ωΔt/2) = α sin(kΔx/2)",
                 "greatest difference over 1000 steps and modes 1, 7, 31, 62 of 64, in amplitudes",
-                worst.fold(0.0, f64::max),
+                worst.fold(0.0, worse),
                 Bound::AtMost(1e-10),
                 "rounding: a position of 0.3 m is rounded by 6e-13 of the amplitude, a hundredth of \
                  an element; it adds up as the square root of 1000 steps",
@@ -139,7 +140,7 @@ fn standing_wave(scene: &Scene, mode: usize) -> f64 {
         let wave = amplitude * Number::sin(omega * dt * state.step as f64);
         for (i, (now, rest)) in state.primary.position.iter().zip(&rest).enumerate() {
             let expected = wave * if i == ELEMENTS { 0.0 } else { shape(i) };
-            worst = worst.max(((now.x - rest.x - expected) / amplitude).abs());
+            worst = worse(worst, ((now.x - rest.x - expected) / amplitude).abs());
         }
     });
     worst
@@ -165,8 +166,8 @@ fn wave_equation() -> Vec<Check> {
             let curvature = (u(now, i + 1) - 2.0 * u(now, i) + u(now, i - 1)) / (dx * dx);
             let expected =
                 Paper::<f64>::eqn_19_acceleration(&edition(), properties.wave_speed, curvature);
-            worst = worst.max((acceleration - expected).abs());
-            largest = largest.max(expected.abs());
+            worst = worse(worst, (acceleration - expected).abs());
+            largest = worse(largest, expected.abs());
         }
     }
     vec![check(

@@ -10,6 +10,7 @@ mod step;
 use super::support::check;
 use super::{Bound, Case, Check};
 use crate::planted::{self, Edition};
+use crate::worse::worse;
 use crossfibre::errata::Corrections;
 use crossfibre::scene::Strain;
 
@@ -66,7 +67,7 @@ fn equation(claim: &str, worked: &[Worked]) -> Check {
         claim,
         "fractions of whole numbers, worked by hand (docs/exact/by-hand.md)",
         &format!("greatest relative error of {} numbers, in roundings of 2⁻⁵³", worked.len()),
-        worked.iter().map(roundings).fold(0.0, f64::max),
+        worked.iter().map(roundings).fold(0.0, worse),
         Bound::AtMost(8.0),
         "a rounding for each input that is no binary fraction, for each operation, and for the answer; no \
          term is many times its sum",

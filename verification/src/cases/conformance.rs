@@ -21,6 +21,7 @@ use crate::conform::questions;
 use crate::faulty::Faulty;
 use crate::faulty::catalogue::Wrong;
 use crate::faulty::rewritten::{Rewritten, Style};
+use crate::worse::worse;
 
 pub const CASES: &[Case] = &[
     Case {
@@ -57,9 +58,9 @@ fn rewrites() -> Vec<Check> {
                 }
                 _ => continue,
             };
-            let most = judged.iter().map(|j| j.envelopes).fold(0.0, f64::max);
+            let most = judged.iter().map(|j| j.envelopes).fold(0.0, worse);
             let worst = &mut worst[item.depth as usize];
-            *worst = worst.max(most);
+            *worst = worse(*worst, most);
         }
     }
     let check = |(depth, measured): (&str, f64), quantity| {

@@ -8,6 +8,7 @@ use crossfibre::state::Wavefront;
 use super::support::{check, kinked, marched, measured_by, order, refined, shipped, sliding_by};
 use super::{Bound, Case, Check};
 use crate::planted::{self, march};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -246,7 +247,7 @@ fn impulse_audit() -> f64 {
                 now.velocity[i],
                 before.velocity[i],
             );
-            worst = worst.max(magnitude(residual));
+            worst = worse(worst, magnitude(residual));
             largest = largest.max(magnitude(before.pull[i]));
         }
         before.clone_from(now);

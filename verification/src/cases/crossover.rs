@@ -13,6 +13,7 @@ use super::{Bound, Case, Check};
 use crate::closed_form::{self, component};
 use crate::fronts::between_fronts;
 use crate::oracle::crossover;
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -191,7 +192,7 @@ fn power() -> Vec<Check> {
                 .map_or(0.0, |around| around.power_residual.abs())
         })
     };
-    let worst = (1..=2000).flat_map(residual).fold(0.0, f64::max);
+    let worst = (1..=2000).flat_map(residual).fold(0.0, worse);
     vec![check(
         "Power lost by the primary is power gained by both arms of the secondary",
         "work and energy: (T_b − T_a)u = 2[T₂W₂ + ½ρ₂A₂U₂(V₂² − W₂²)]",

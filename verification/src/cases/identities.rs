@@ -6,6 +6,7 @@ use crossfibre::state::{FibreState, State, Wavefront};
 
 use super::support::{check, different_bits, marched, marched_from, shipped, sliding_by, watched};
 use super::{Bound, Case, Check};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -89,7 +90,7 @@ fn free_sliding() -> Vec<Check> {
         different_bits(single, &axial, |k| k)
     };
     let pairs = single.position.iter().zip(&corrected.position);
-    let across = pairs.fold(0.0_f64, |worst, (a, b)| worst.max((a.y - b.y).abs()));
+    let across = pairs.map(|(a, b)| (a.y - b.y).abs()).fold(0.0, worse);
     vec![
         check(
             "As printed the primary is a single fibre at 28.7 µs",

@@ -7,6 +7,7 @@ use crossfibre::state::{State, Wavefront};
 
 use super::support::{Marched, check, kinked, marched, marched_from, shipped, sliding_by};
 use super::{Bound, Case, Check};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -55,7 +56,7 @@ fn distance(a: &Marched, b: &Marched, map: impl Fn(f64, f64) -> (f64, f64)) -> f
     let pairs = a.state.primary.position.iter().zip(&b.state.primary.position);
     pairs.fold(0.0_f64, |worst, (a, b)| {
         let (x, y) = map(b.x, b.y);
-        worst.max((a.x - x).abs()).max((a.y - y).abs())
+        worse(worst, worse((a.x - x).abs(), (a.y - y).abs()))
     }) / dx
 }
 

@@ -7,6 +7,7 @@ use crossfibre::state::FibreState;
 
 use super::support::{check, marched, order, refined, relative, shipped};
 use super::{Bound, Case, Check};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -81,7 +82,7 @@ fn limits() -> Vec<Check> {
         .iter()
         .zip(&constant.state.primary.strain)
         .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
+        .fold(0.0, worse);
     let corrected = marched(shipped("finite-projectile"));
     let lost = 1.0 - corrected.state.projectile.velocity / 400.0;
     let wrong_sign = Scene {

@@ -8,6 +8,7 @@ use super::support::{
 };
 use super::{Bound, Case, Check};
 use crate::closed_form::component;
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -82,7 +83,7 @@ fn plateau() -> Vec<Check> {
             [exact.logarithmic, exact.engineering, exact_engineering.engineering]
                 .iter()
                 .map(|e| (100.0 * e - 1.45).abs())
-                .fold(0.0, f64::max),
+                .fold(0.0, worse),
             Bound::AtMost(0.01),
             "1.45 stands for anything within 0.005; ln λ = 1.443 % is 0.002 below that, λ - 1 \
              inside it",
@@ -148,7 +149,7 @@ fn sweep() -> Vec<Check> {
         cases
             .iter()
             .map(|&(velocity, elements)| departure(impact_at(velocity, elements, strain)).mean)
-            .fold(0.0, f64::max)
+            .fold(0.0, worse)
     };
     let slow = [(1.0, 6000), (3.7, 4800), (10.0, 2400), (37.0, 1200), (100.0, 600)];
     let ballistic = [(200.0, 600), (400.0, 600), (777.0, 600), (1000.0, 600)];

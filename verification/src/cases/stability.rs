@@ -5,6 +5,7 @@ use super::{Bound, Case, Check};
 use crate::stability::rows::{EDITIONS, Group, Row, rows};
 use crate::stability::spectrum::{THRESHOLD, spectral_radius};
 use crate::stability::tasks::{measured, predicted};
+use crate::worse::worse;
 
 /// The cases of this file.
 pub const CASES: &[Case] = &[
@@ -75,7 +76,7 @@ fn three_ways(ids: &[&str], by_hand: f64, by_marching: Bound) -> Vec<Check> {
         .map(|id| row(id))
         .map(|row| (row.by_hand, limit(predicted(&row.base)), limit(measured(&row.base))))
         .collect();
-    let worst = |apart: fn(&(f64, f64, f64)) -> f64| found.iter().map(apart).fold(0.0, f64::max);
+    let worst = |apart: fn(&(f64, f64, f64)) -> f64| found.iter().map(apart).fold(0.0, worse);
     vec![
         check(
             format!("The linearised step lets go where the formula says: {}", ids.join(", ")),

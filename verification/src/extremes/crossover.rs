@@ -11,6 +11,7 @@ use crate::cases::support::{exact_primary, exact_single, measured_by, refined, s
 use crate::cases::{Bound, Case};
 use crate::closed_form::{component, problem};
 use crate::oracle::motion;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -67,7 +68,7 @@ fn error(result: &RunResult, exact: &Scene, both: bool) -> f64 {
         .as_ref()
         .filter(|_| both)
         .map_or(0.0, |s| mean(&s.strain) / exact_mean(exact, &motion.secondary) - 1.0);
-    primary.abs().max(secondary.abs())
+    worse(primary.abs(), secondary.abs())
 }
 
 const MOTION: &str = "every front of the exact motion followed";
@@ -154,7 +155,7 @@ fn slide_factors() -> Vec<Row> {
     let apart = |a: &RunResult| {
         let pairs = || a.primary.strain.iter().zip(&alone.primary.strain);
         let greatest = pairs().fold(0.0_f64, |most, (_, e)| most.max(*e));
-        pairs().fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / greatest
+        pairs().map(|(a, b)| (a - b).abs()).fold(0.0, worse) / greatest
     };
     let different = |a: &RunResult| {
         a.primary.strain.iter().zip(&alone.primary.strain).filter(|(a, b)| a != b).count()

@@ -10,6 +10,7 @@ use crate::cases::support::{exact_primary, mean, measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::closed_form;
 use crate::planted;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -229,7 +230,7 @@ fn dashpots() -> Vec<Row> {
         let result = run(&fibre(law, 0.9));
         let greatest = like.primary.strain.iter().fold(0.0_f64, |most, &e| most.max(e));
         let pairs = result.primary.strain.iter().zip(&like.primary.strain);
-        let apart = pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / greatest;
+        let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, worse) / greatest;
         row(
             what,
             "As the springs alone",

@@ -10,6 +10,7 @@ use super::{Group, Row, checks, row};
 use crate::cases::support::{measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::planted;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -55,8 +56,8 @@ fn long(mut scene: Scene) -> Long {
                 state.balance(&Corrected::<Incremental>::new(Corrections::ALL), scene.strain)
             }
         };
-        energy[part] = energy[part].max(balance.energy.relative_residual().abs());
-        momentum = momentum.max((balance.momentum.residual / balance.momentum.initial).abs());
+        energy[part] = worse(energy[part], balance.energy.relative_residual().abs());
+        momentum = worse(momentum, (balance.momentum.residual / balance.momentum.initial).abs());
     });
     assert_eq!(result.steps, STEPS);
     Long { result, energy, momentum }

@@ -5,6 +5,7 @@ use crossfibre::scene::{Scene, Strain};
 use super::{Group, Row, checks, refused, row, run, verdict};
 use crate::cases::support::{exact_primary, measured_by, shipped};
 use crate::cases::{Bound, Case};
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -55,8 +56,7 @@ fn by_hand(strain: Strain, expected: [f64; 5]) -> Row {
     assert_eq!(result.steps, BY_HAND_STEPS);
     let (strains, node) = (&result.primary.strain, &result.primary.velocity[1]);
     let found = [strains[0], strains[1], node[0], node[1], result.projectile.velocity];
-    let error =
-        found.iter().zip(expected).fold(0.0_f64, |most, (a, b)| most.max((a / b - 1.0).abs()));
+    let error = found.iter().zip(expected).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, worse);
     let measure = match strain {
         Strain::Incremental => "(4)",
         Strain::Engineering => "engineering strain",

@@ -6,6 +6,7 @@ use super::{Group, Row, checks, row, run};
 use crate::cases::support::{exact_primary, measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::planted;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -36,7 +37,7 @@ fn light() -> Vec<Row> {
     let [lightest, light] = [1e-9, 1e-6].map(|nodes| run(&struck(nodes, 28.7e-6)));
     let velocities = lightest.primary.velocity.iter().flatten();
     let pairs = velocities.zip(light.primary.velocity.iter().flatten());
-    let apart = pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, worse);
     let momentum = lightest.balance.map_or(f64::NAN, |b| b.momentum.residual / b.momentum.initial);
     let says = lightest.outcome.to_string();
     vec![

@@ -7,6 +7,7 @@ use crate::cases::support::{exact_crossover, mean, measured_by, refined, shipped
 use crate::cases::{Bound, Case};
 use crate::closed_form::{coefficients, component};
 use crate::fronts::between_fronts;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -53,7 +54,7 @@ fn errors(scene: &Scene) -> (String, f64, f64) {
             mean(s.length / s.elements as f64, &r.strain, from, to) / incident
         });
     let worst =
-        (reflection - exact.reflection).abs().max((transmission - exact.transmission).abs());
+        worse((reflection - exact.reflection).abs(), (transmission - exact.transmission).abs());
     (result.outcome.to_string(), worst, (diversion / exact.diversion - 1.0).abs())
 }
 

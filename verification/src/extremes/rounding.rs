@@ -13,6 +13,7 @@ use super::{Group, Row, checks, row, run};
 use crate::cases::support::{exact_primary, measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::planted::{at_impact, edition, march};
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -98,7 +99,7 @@ fn strain<S: Number>(scene: &Scene, paper: &impl Paper<S>) -> (String, Vec<f64>)
 /// Greatest relative difference of two strains over the elements that the wave has long passed.
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     let passed = a.iter().zip(b).take(STEPS as usize - 5);
-    passed.fold(0.0_f64, |most, (a, b)| most.max((a / b - 1.0).abs()))
+    passed.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, worse)
 }
 
 fn rows() -> Vec<Row> {

@@ -7,6 +7,7 @@ use super::{Group, Row, checks, row, run, tally};
 use crate::cases::support::{exact_primary, exact_single, mean, measured_by, shipped};
 use crate::cases::{Bound, Case};
 use crate::closed_form::component;
+use crate::worse::worse;
 
 pub(super) const GROUP: Group = Group {
     case: Case {
@@ -119,7 +120,7 @@ fn beyond(c: f64) -> Row {
             let scene = impact(velocity * c, elements, Strain::Incremental);
             let result = run(&scene);
             if result.outcome.is_completed() {
-                worst = worst.max(departure(&scene, &result.primary.strain));
+                worst = worse(worst, departure(&scene, &result.primary.strain));
             }
             outcomes.push(result.outcome);
         }
@@ -147,7 +148,7 @@ fn coarse(c: f64) -> Row {
                 scene.duration = passages * 0.3 / c;
                 let result = run(&scene);
                 let balance = result.balance.map_or(f64::NAN, |b| b.energy.relative_residual());
-                worst = worst.max(balance.abs());
+                worst = worse(worst, balance.abs());
                 outcomes.push(result.outcome);
             }
         }

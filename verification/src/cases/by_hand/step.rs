@@ -6,6 +6,7 @@ use crossfibre::state::{FibreState, State, Wavefront};
 use super::{Bound, Check, ROUNDING, check, corrected, fraction};
 use crate::cases::support::shipped;
 use crate::planted::{at_impact, march};
+use crate::worse::worse;
 
 type Point = [f64; 2];
 
@@ -92,7 +93,7 @@ fn components(of: &[Vector<f64, 2>], by_hand: &[[(i64, i64); 2]]) -> Vec<(f64, f
 }
 
 fn compared(claim: &str, pairs: &[(f64, f64)], most: f64) -> Check {
-    let apart = pairs.iter().map(|(got, exact)| (got - exact).abs()).fold(0.0, f64::max);
+    let apart = pairs.iter().map(|(got, exact)| (got - exact).abs()).fold(0.0, worse);
     let greatest = pairs.iter().map(|(_, exact)| exact.abs()).fold(0.0, f64::max);
     check(
         claim,

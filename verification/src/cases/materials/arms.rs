@@ -10,6 +10,7 @@ use crate::cases::support::{
 };
 use crate::cases::{Bound, Check};
 use crate::planted::at_impact;
+use crate::worse::worse;
 
 /// How far a held fibre is stretched.
 const HELD: f64 = 0.0137;
@@ -86,7 +87,7 @@ fn relaxation() -> f64 {
         })
     };
     let apart = stresses.iter().enumerate().map(|(n, &stress)| relative(stress, expected(n)));
-    apart.fold(0.0, f64::max)
+    apart.fold(0.0, worse)
 }
 
 fn eyring_relaxation() -> f64 {
@@ -111,7 +112,7 @@ fn eyring_relaxation() -> f64 {
         .iter()
         .enumerate()
         .map(|(n, &stress)| relative(tanh(stress), first * Number::exp(-decay * n as f64)));
-    apart.fold(0.0, f64::max)
+    apart.fold(0.0, worse)
 }
 
 /// The greatest error of an element's stress in the shipped scene.
@@ -138,7 +139,7 @@ fn eyring_driven() -> f64 {
             arm += runge_kutta(slope, arm, h);
         }
         let stress = state.primary.tension[ELEMENT] / area;
-        worst = worst.max((stress - (equilibrium_modulus * now + arm)).abs());
+        worst = worse(worst, (stress - (equilibrium_modulus * now + arm)).abs());
         greatest = greatest.max(stress);
         before = now;
     });
@@ -183,7 +184,7 @@ fn linear(modulus: f64) -> Scene {
 fn apart(a: &Marched, b: &Marched) -> f64 {
     let (a, b) = (&a.state.primary.strain, &b.state.primary.strain);
     let greatest = b.iter().fold(0.0_f64, |most, &e| most.max(e.abs()));
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / greatest
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worse) / greatest
 }
 
 /// Δt/τ from which on forward differences are unstable in a fibre of a spring and arms of one τ.

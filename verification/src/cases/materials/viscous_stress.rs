@@ -7,6 +7,7 @@ use crossfibre::state::{State, Wavefront};
 use crate::cases::support::{check, measured_by, relative, shipped, watched};
 use crate::cases::{Bound, Check};
 use crate::planted::at_impact;
+use crate::worse::worse;
 
 const COEFFICIENTS: Coefficients = Coefficients { linear: 0.37, quadratic: 1.9 };
 
@@ -61,11 +62,11 @@ pub fn stretched() -> Vec<Check> {
     for rate in RATES {
         for rate in [rate, -rate] {
             let (added, lost, time_step) = of_rate(rate);
-            stress = stress.max(relative(added, viscous(rate)));
-            loss = loss.max(relative(lost, viscous(rate) * rate * time_step * volume));
+            stress = worse(stress, relative(added, viscous(rate)));
+            loss = worse(loss, relative(lost, viscous(rate) * rate * time_step * volume));
         }
         let beyond_twice = of_rate(2.0 * rate).0 - 2.0 * of_rate(rate).0;
-        square = square.max(relative(beyond_twice, 2.0 * quadratic * rate * rate));
+        square = worse(square, relative(beyond_twice, 2.0 * quadratic * rate * rate));
     }
     let reason = "rounding of a strain of 1 % to 3 %, the difference of two lengths";
     vec![

@@ -8,6 +8,7 @@ use crate::cases::{Bound, Check};
 use crate::convergence::power_law;
 use crate::precision::orders::LEVEL;
 use crate::precision::{Entry, Found, Problem, Record, Run, Variant, found, ladders, run_of};
+use crate::worse::worse;
 
 const FLAGGED: &str = "eqn (4), α = 1";
 const WHOLE: &str = "eqn (4), α = 1, no flags";
@@ -87,7 +88,7 @@ fn quarter(record: &Record) -> Check {
         "Of Fig. 3 a quarter is visited, and half an element for each step: 1/4 + 1/(2 steps)",
         "100 steps over 150 elements, from the 50th on over 100: (½·100² + ½·50²)/(100·250) of the whole",
         "greatest difference of 2 steps (share − 1/4) from 1",
-        apart.fold(0.0, f64::max),
+        apart.fold(0.0, worse),
         Bound::AtMost(1e-13),
         "a ratio of counts, rounded",
     )

@@ -13,6 +13,7 @@ use crate::figures::points::mean_over;
 use crate::planted;
 use crate::precision::orders::{BAND, LEVEL, ROUNDING};
 use crate::precision::{Problem, Quantity, Record, ladders};
+use crate::worse::worse;
 
 const VARIANT: &str = "engineering, α = 1";
 
@@ -71,7 +72,7 @@ fn index(series: &[(Values, f64)]) -> Check {
         "exact solution",
         "|limit − exact| over 1.25 |limit − finest|, greatest of three triplets of meshes to 0.06 mm of each; \
          one fibre and Fig. 3, engineering strain",
-        triplets.fold(0.0, f64::max),
+        triplets.fold(0.0, worse),
         Bound::AtMost(1.0),
         "the safety factor of three meshes of the asymptotic range (Roache), at orders of 1, 2/3 and 1/2",
     )
@@ -87,7 +88,7 @@ fn limit(series: &[(Values, f64)]) -> Check {
         "The limit fitted to five meshes is the exact number, but for a part of what the finest mesh is off",
         "exact solution",
         "|limit − exact| over the error of the finest mesh, greatest of the same",
-        left.fold(0.0, f64::max),
+        left.fold(0.0, worse),
         Bound::AtMost(0.3),
         "the kink, whose place on a mesh is not smooth in h: terms beside the fitted power",
     )
