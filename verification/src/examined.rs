@@ -4,9 +4,12 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Written by `.ci/mutants` and `.ci/coverage`.
-const STORED: [&str; 2] =
-    [include_str!("../../docs/mutants.json"), include_str!("../../docs/coverage.json")];
+/// Written by `.ci/mutants`, `.ci/coverage` and `.ci/fuzz`.
+const STORED: [&str; 3] = [
+    include_str!("../../docs/mutants.json"),
+    include_str!("../../docs/coverage.json"),
+    include_str!("../../docs/fuzz.json"),
+];
 
 /// What was examined, and what came of it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -55,9 +58,11 @@ mod tests {
     }
 
     #[test]
-    fn what_survives_or_is_not_reached_has_a_reason() {
+    fn what_survives_or_is_not_reached_has_a_reason_and_no_input_shows_a_fault() {
         assert_eq!(number_of(0, "survived without a reason"), 0);
         assert_eq!(number_of(1, "lines not reached without a reason"), 0);
+        assert_eq!(number_of(2, "faults"), 0);
+        assert!(number_of(2, "inputs") >= 10_000_000);
     }
 
     #[test]
