@@ -59,6 +59,12 @@ fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
         let help = "a scene has five levels of brackets at most";
         return fault(String::new(), here, "brackets in brackets without end", Some(help));
     }
+    if found.starts_with("control character") && text[..at].ends_with('\n') {
+        let line = text[..at].trim_end();
+        let open = &line[line.rfind('"').unwrap_or(line.len())..];
+        let help = "is a quotation mark missing?";
+        return fault(path, open, "a text ends in the line in which it begins", Some(help));
+    }
     let word = word_at(text, at);
     let name = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
     if ["nan", "inf", "infinity"].contains(&name.as_str()) {
@@ -78,38 +84,34 @@ fn not_json(text: &str, path: String, error: &serde_json::Error) -> Fault {
 fn advice(before: &str, from: &str, message: &str) -> Option<&'static str> {
     let last = before.trim_end().chars().next_back().unwrap_or(' ');
     let next = from.trim_start().chars().next().unwrap_or(' ');
-    let after_digit = before.ends_with(|c: char| c.is_ascii_digit() || c == '.');
     let wants_comma = message.starts_with("expected `,`");
+    let wants_name = message.starts_with("expected a name");
     Some(match next {
+        _ if message.starts_with("control character") => {
+            "between quotation marks a tab is written \\t"
+        }
         '\'' => "names and words stand in double quotes, \"…\"",
         '/' => "a comment goes from // to the end of the line; there are no others",
         '#' => "a comment goes from // to the end of the line",
         ';' => "members are set apart by a comma",
-        '=' => "a name and its value are set apart by a colon",
-        c if wants_comma
-            && c.is_alphabetic()
-            && before.trim_end().ends_with(|c: char| c.is_ascii_digit()) =>
-        {
+        _ if next == '=' || message == "expected `:`" => {
+            "a name and its value are set apart by a colon"
+        }
+        // After a number nothing but a comma or a bracket may stand.
+        c if c.is_alphabetic() && last.is_ascii_digit() => {
             "numbers stand alone, in SI units: m, kg, s, Pa"
         }
         _ if wants_comma => "is a comma missing before this?",
-        c if message.starts_with("expected a name") && last == ',' && c.is_ascii_digit() => {
-            "decimals stand behind a point: 0.3"
-        }
-        '{' if message.starts_with("expected a name") => {
-            "is this bracket one too many, or a name missing before it?"
-        }
-        c if message.starts_with("expected a name") && (c.is_alphabetic() || c == '$') => {
-            "names stand in double quotes, \"…\""
-        }
+        // After a comma in an object a name must come, and in a list a number is at fault within.
+        c if last == ',' && c.is_ascii_digit() => "decimals stand behind a point: 0.3",
+        '{' if wants_name => "is this bracket one too many, or a name missing before it?",
+        _ if wants_name => "names stand in double quotes, \"…\"",
         _ if message == "trailing comma" => "leave out the comma before this",
         _ if message == "trailing characters" => {
             "the scene ends before this: is a bracket too many?"
         }
         '+' | '.' => "a number begins with a digit or a minus: 0.3, -1e-6",
-        _ if message == "invalid number" || after_digit => {
-            "a number is written like 0.3 or 28.7e-6"
-        }
+        _ if message == "invalid number" => "a number is written like 0.3 or 28.7e-6",
         c if c.is_alphabetic() => "words stand in double quotes, \"…\"",
         _ => return None,
     })

@@ -18,7 +18,8 @@ pub(crate) fn without_comments(text: &str) -> Cow<'_, str> {
     while i < bytes.len() {
         match bytes[i] {
             b'"' => in_string = !in_string,
-            b'\\' if in_string => i += 1,
+            // Outside of a string it is a fault, and the first one.
+            b'\\' => i += 1,
             // No string goes on in the next line: one that is not closed spoils its own line only.
             b'\n' => in_string = false,
             b'/' if !in_string && bytes.get(i + 1) == Some(&b'/') => {

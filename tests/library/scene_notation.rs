@@ -57,6 +57,14 @@ const OTHERWISE: &[(&str, &str, &str, &str)] = &[
     ("31.3e-6 }", "31.3e-6 }}", "}", "is a bracket too many?"),
     ("\"projectile\": {", "\"projectile\": {{", "{", "one too many"),
     ("\"courant\"", "\"Courant\"", "\"Courant\"", "known here: format"),
+    ("\"linear\", \"modulus\"", "\"linear\" modulus", "modulus", "is a comma missing before this?"),
+    ("\"courant\"", "3 \"courant\"", "3", "decimals stand behind a point"),
+    ("{ \"velocity\"", "{ 3 \"velocity\"", "3", "names stand in double quotes"),
+    ("\"courant\"", "$courant", "$", "names stand in double quotes"),
+    ("\"projectile\": {", "\"projectile\" {", "{", "set apart by a colon"),
+    ("\"linear\",", "\"linear 1,\n", "\"linear 1,", "is a quotation mark missing?"),
+    ("\"linear\"", "\"linear\tlaw\"", "", "a tab is written \\t"),
+    ("0.937", "", ",", ""),
     ("317.0", "true", "true", ""),
     (GOOD, "<html>", "<", "`crossfibre new` writes one"),
     (GOOD, "primary:\n  length: 0.287", "p", "`crossfibre new` writes one"),
@@ -70,7 +78,7 @@ fn another_notation_is_answered_in_plain_words() {
         let text = GOOD.replacen(from, to, 1);
         let fault = read(&text).expect_err(to);
         let (seen, found) = (fault.help.clone().unwrap_or_default(), &text[fault.span.clone()]);
-        assert!(seen.contains(help), "{to:?} gives: {fault}");
+        assert!(seen.contains(help) && seen.is_empty() == help.is_empty(), "{to:?} gives: {fault}");
         assert!(found.starts_with(piece), "{to:?} is shown at {found:?}: {fault}");
     }
 }
