@@ -182,6 +182,42 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_equation_that_a_step_leaves_out_or_changes_is_told_why() {
+        let scene = |strain| {
+            let text = r#"{"format": "crossfibre-scene/1", "title": "one fibre",
+                "primary": {"length": 0.3, "elements": 15, "density": 1206.7, "area": 1e-6,
+                    "material": {"law": "linear", "modulus": 58.6e9}},
+                "projectile": {"velocity": 317.0}, "courant": 0.937, "duration": 2e-5}"#;
+            Scene { strain, ..crate::scene_file::read(text).unwrap() }
+        };
+        for (strain, fourth, fifth) in [
+            (Strain::Incremental, "every element", "every element"),
+            (Strain::Engineering, "by L/L⁰ - 1", "does not look at the previous length"),
+        ] {
+            let plan = equations(&scene(strain), None);
+            let why = |equation: usize| (plan[equation - 1].runs, plan[equation - 1].why);
+            let told = [why(1), why(3), why(4), why(5), why(8), why(9), why(19), why(20)];
+            let runs =
+                [false, false, true, strain == Strain::Incremental, false, false, false, false];
+            assert_eq!(told.map(|(runs, _)| runs), runs);
+            let part = [
+                "(2) is its solved form",
+                "advanced by (4)",
+                fourth,
+                fifth,
+                "velocity is constant",
+                "no secondary",
+                "the scheme approximates",
+                "evaluated once",
+            ];
+            for ((_, why), part) in told.iter().zip(part) {
+                assert!(why.contains(part), "{why}: {part}");
+            }
+        }
+        assert_eq!(equations(&scene(Strain::Incremental), None)[3].why, "every element");
+    }
+
+    #[test]
     fn the_front_gains_an_element_a_step_until_the_clamp() {
         // 1 + 2 + 3 + 3 + 3
         assert_eq!(flagged_element_steps(5, 3, 0), 12.0);

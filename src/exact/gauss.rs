@@ -77,10 +77,10 @@ mod tests {
         }
     }
 
-    /// The integral from 0 to 1, and how often the integrand was asked.
-    fn counted(f: impl Fn(f64) -> f64) -> (f64, u32) {
+    /// The integral from `a` to `b`, and how often the integrand was asked.
+    fn counted(a: f64, b: f64, f: impl Fn(f64) -> f64) -> (f64, u32) {
         let asked = std::cell::Cell::new(0);
-        let found = integral(0.0, 1.0, &|x| {
+        let found = integral(a, b, &|x| {
             asked.set(asked.get() + 1);
             assert!(asked.get() < 100_000, "no end is in sight");
             f(x)
@@ -94,17 +94,19 @@ mod tests {
         // end and one more to the right of it at each depth, of which those to the right are done
         // at once. The sum from 2⁻⁴¹ to 1 is 41 ln 2, and the rule makes of the rest, whose integral
         // is infinite, a number between its 24 points and its first.
-        let (found, asked) = counted(|x| 1.0 / x);
         let whole = 41.0 * std::f64::consts::LN_2;
-        assert!(whole < found && found < whole + 24.0, "{found}");
         let rules = 1 + 2 * (DEPTH + 1) + 2 * DEPTH;
         let points = 2 * RULE.len() as u32;
-        assert_eq!(asked, points * rules);
+        for (a, b, sign) in [(0.0, 1.0, 1.0), (1.0, 0.0, -1.0)] {
+            let (found, asked) = counted(a, b, |x| 1.0 / x);
+            assert!(whole < sign * found && sign * found < whole + 24.0, "{found}");
+            assert_eq!(asked, points * rules);
+        }
     }
 
     #[test]
     fn integrand_that_is_no_number_is_not_halved() {
-        let (found, asked) = counted(|_| f64::NAN);
+        let (found, asked) = counted(0.0, 1.0, |_| f64::NAN);
         assert!(found.is_nan());
         assert_eq!(asked, 3 * 2 * RULE.len() as u32);
     }

@@ -17,6 +17,7 @@ mod march_double_double;
 mod march_identities;
 mod march_laws;
 mod march_laws_ended;
+mod march_laws_energy;
 mod march_order;
 mod march_outcomes;
 mod parameter_box;

@@ -1,12 +1,12 @@
 //! How a run ends that a law breaks off, judged by the law's own slope.
 
 use crate::common::{shipped, steps};
-use crossfibre::corrected::{Corrected, Engineering};
+use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::march;
 use crossfibre::material::Update;
 use crossfibre::outcome::Outcome;
 use crossfibre::result::{self, MOST_SEARCHED};
-use crossfibre::scene::{Law, Scene};
+use crossfibre::scene::{Law, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 /// The shipped hardening fibre without viscosity, of T = E₁ε + E₂ε².
@@ -44,6 +44,38 @@ fn a_wave_speed_that_outgrows_the_step_ends_the_run_at_the_first_element_that_do
     let exceeded = (0..60).map(|n| 171.0 + 4.3 * f64::from(n)).map(outgrown).collect::<Vec<_>>();
     let least = exceeded.iter().fold(f64::MAX, |a, &b| a.min(b));
     assert!(least < 1.003, "{least}");
+}
+
+#[test]
+fn under_equation_4_the_slope_is_that_per_length_of_the_step_before() {
+    // Δε = ΔL/L^{t−1}, so the force on an element grows by T′ L⁰/L^{t−1} per stretch.
+    let second = 1.93e12;
+    let mut scene = polynomial(second, 0.83);
+    (scene.strain, scene.projectile.velocity) = (Strain::Incremental, 371.0);
+    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    let paper = Corrected::<Incremental>::new(scene.corrections);
+    let lengths = |state: &State<f64>| -> Vec<f64> {
+        state.primary.position.windows(2).map(|ends| (ends[1] - ends[0]).norm()).collect()
+    };
+    let mut before = lengths(&state);
+    let dx = scene.primary.length / scene.primary.elements as f64;
+    let local = |state: &State<f64>, before: &[f64]| -> Vec<f64> {
+        let slopes = slopes(state, second).into_iter().zip(before);
+        let per_density =
+            |(slope, length): (f64, &f64)| slope * dx / length / scene.primary.density;
+        slopes.map(|of| per_density(of).sqrt() * state.time_step / dx).collect()
+    };
+    let mut greatest = 0.0_f64;
+    let outcome = march::run(&paper, &mut state, steps(&scene), |state| {
+        greatest = local(state, &before).into_iter().fold(greatest, f64::max);
+        before = lengths(state);
+    });
+    let Outcome::CourantExceeded { place, courant, .. } = outcome else { panic!("{outcome}") };
+    assert!(greatest > 0.9 && greatest < 1.0 + 1e-9, "{greatest}");
+    let now = local(&state, &before);
+    assert_eq!(now.iter().position(|&c| c > 1.0), Some(place.index));
+    // Lengths of a hundredth of what they are rounded from.
+    assert!((courant / now[place.index] - 1.0).abs() < 1e-12, "{courant} {}", now[place.index]);
 }
 
 /// The Courant number at which a run at a velocity (m/s) ends.
