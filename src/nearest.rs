@@ -23,3 +23,33 @@ fn edits(a: &str, b: &str) -> usize {
     }
     row[b.len()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edits_are_letters_that_are_missing_too_many_or_others() {
+        for (a, b, expected) in [
+            ("", "", 0),
+            ("", "fibre", 5),
+            ("fibre", "", 5),
+            ("kitten", "sitting", 3),
+            ("xfibre", "fibre", 1),
+            ("fibre", "fibrex", 1),
+            ("density", "dnesity", 2),
+            ("abc", "xyz", 3),
+        ] {
+            assert_eq!((edits(a, b), edits(b, a)), (expected, expected), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn nearest_is_known_by_two_thirds_of_its_letters() {
+        let known = ["area", "courant", "density"];
+        assert_eq!(nearest("DENSTY", &known), Some("density"));
+        assert_eq!(nearest("couXXXt", &known), Some("courant"));
+        assert_eq!(nearest("coXXXXt", &known), None);
+        assert_eq!(nearest("are", &[]), None);
+    }
+}

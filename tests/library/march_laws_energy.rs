@@ -1,5 +1,6 @@
 //! What the laws of both fibres dissipate, and what an element remembers where (7) is evaluated.
 
+use crossfibre::balance::Energy;
 use crossfibre::constitution::Constitution;
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::march;
@@ -64,9 +65,15 @@ fn check(scene: &Scene, paper: &impl Paper<f64>) {
         // Two arms on either side of the impact point.
         secondary += 4.0 * lost(before, now, scene.strain);
         // Sums over elements and steps.
-        let found = two[1].balance(paper, scene.strain).energy.dissipated;
+        let energy = two[1].balance(paper, scene.strain).energy;
+        let found = energy.dissipated;
         let apart = (found - primary - secondary).abs();
         assert!(apart <= 1e-12 * (primary + secondary), "{found} {primary} {secondary}");
+        // To the balance of the fibres alone what is lost counts like what is stored.
+        let lost = Energy { dissipated: energy.dissipated + energy.stored, ..energy };
+        let stored = Energy { stored: 2.0 * energy.stored, ..energy };
+        let [lost, stored] = [lost, stored].map(|energy| two[1].fibre_imbalance(&energy));
+        assert!((lost - stored).abs() < 1e-14, "{lost} {stored}");
     }
     assert!(primary > 0.0 && secondary > 1e-3 * primary, "{primary} {secondary}");
 }

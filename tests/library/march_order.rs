@@ -2,8 +2,9 @@
 
 use std::cmp::max_by;
 
-use crate::common::{bits, run, short_scenes, steps, trace};
+use crate::common::{bits, run, shipped, short_scenes, steps, trace};
 use crossfibre::corrected::{Corrected, Incremental};
+use crossfibre::errata::Corrections;
 use crossfibre::march;
 use crossfibre::number::Vector;
 use crossfibre::outcome::Outcome;
@@ -328,7 +329,7 @@ fn a_block_of_elements_gives_the_bits_of_the_recursion_wherever_the_crossover_li
     // into the second block.
     let block = <Printed as Paper<f64>>::BLOCK;
     for ix in [block - 1, block, block + 1] {
-        let mut scene = crate::common::shipped("unequal");
+        let mut scene = shipped("unequal");
         scene.primary.elements = 2 * block + 57;
         let spacing = scene.primary.length / scene.primary.elements as f64;
         scene.secondary.as_mut().unwrap().at = ix as f64 * spacing;
@@ -352,4 +353,22 @@ fn a_block_of_elements_gives_the_bits_of_the_recursion_wherever_the_crossover_li
         let diverged = Outcome::Diverged { place, equation: 7 };
         assert_eq!(march::run(&paper, &mut whole, 5, |_| ()), diverged);
     }
+}
+
+#[test]
+fn a_fibre_that_moves_with_its_clamp_and_its_projectile_stays_as_it_is() {
+    // Every node moves by v Δt a step, and no element is strained but by the rounding of positions, 3e-17 m
+    // of 2 mm a step.
+    let mut state = State::<f64>::at_impact(&shipped("single-400"), Wavefront::Ignored);
+    let velocity = state.projectile.axis * state.projectile.velocity;
+    state.primary.velocity.fill(velocity);
+    state.primary.clamp_velocity = velocity;
+    let begin = state.primary.position.clone();
+    let paper = Corrected::<Incremental>::new(Corrections::ALL);
+    assert_eq!(march::run(&paper, &mut state, 37, |_| {}), Outcome::Completed);
+    let moved = velocity * (37.0 * state.time_step);
+    for (now, begin) in state.primary.position.iter().zip(&begin) {
+        assert!((now - begin - moved).norm() < 1e-14, "{now} {begin}");
+    }
+    assert!(state.primary.strain.iter().all(|strain| strain.abs() < 1e-11));
 }
