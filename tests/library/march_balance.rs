@@ -40,7 +40,16 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         coarse("both-at-origin", None, 1.0),
         coarse("both-at-origin", Some(0.0019), 1.0),
         coarse("sliding", None, 0.41),
+        beside_the_impact_point(coarse("unequal", Some(0.0017), 0.93)),
     ]
+}
+
+/// The crossover at the first node beside the projectile's.
+fn beside_the_impact_point((name, mut scene): (&'static str, Scene)) -> (&'static str, Scene) {
+    let spacing = scene.primary.length / scene.primary.elements as f64;
+    scene.secondary.as_mut().unwrap().at = spacing;
+    scene.check().unwrap();
+    (name, scene)
 }
 
 /// Masses and velocities of the whole system: of two halves of the primary, of two arms or four.

@@ -147,6 +147,22 @@ fn a_crossover_that_cannot_slide_stays_at_its_node() {
     assert!(distance < 1e-15, "{distance:e} m");
     // It has been carried inward.
     assert!(state.primary.position[50].x < 0.0999);
+    // Though another node were nearer.
+    let mut crossover = crossover;
+    crossover.fibre.position[0] = state.primary.position[53].push(0.0);
+    assert_eq!(crossover.nearest_node(&state.primary), 50);
+}
+
+#[test]
+fn a_crossover_that_the_front_has_not_reached_is_not_searched_for() {
+    let mut state: State<f64> = State::at_impact(&shipped("sliding"), Wavefront::Flagged);
+    let (primary, crossover) = (&state.primary, state.crossover.as_mut().unwrap());
+    let node = crossover.node;
+    assert!(primary.visited < node);
+    crossover.fibre.position[0] = primary.position[node + 3].push(0.0);
+    assert_eq!(crossover.nearest_node(primary), node);
+    let all: State<f64> = State::at_impact(&shipped("sliding"), Wavefront::Ignored);
+    assert_eq!(crossover.nearest_node(&all.primary), node + 3);
 }
 
 /// Nearly free, the fibre runs inward through the crossover until the clamped node is the nearest.
