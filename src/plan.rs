@@ -182,6 +182,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_element_takes_eight_bytes_a_number_and_its_law_as_many_for_what_it_remembers() {
+        let linear = Material::linear(58.6e9);
+        // Three vectors and three numbers.
+        assert_eq!(memory_of::<2>(7, &linear), 7.0 * 9.0 * 8.0);
+        assert_eq!(memory_of::<3>(7, &linear), 7.0 * 12.0 * 8.0);
+        let material = r#"{"law": "viscoelastic", "equilibrium_modulus": 41.3e9, "arms": [
+            {"modulus": 19.7e9, "relaxation_time": 7.3e-6},
+            {"modulus": 10.3e9, "relaxation_time": 61e-6}]}"#;
+        let viscoelastic: Material = serde_json::from_str(material).unwrap();
+        // The stresses of two arms, and what was dissipated.
+        assert_eq!(memory_of::<2>(7, &viscoelastic), 7.0 * (9.0 + 3.0) * 8.0);
+    }
+
+    #[test]
     fn an_equation_that_a_step_leaves_out_or_changes_is_told_why() {
         let scene = |strain| {
             let text = r#"{"format": "crossfibre-scene/1", "title": "one fibre",

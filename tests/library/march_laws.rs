@@ -155,6 +155,20 @@ fn a_material_knows_how_much_its_law_remembers() {
     assert_eq!(most, 6);
 }
 
+#[test]
+fn the_modulus_that_sets_the_wave_speed_is_the_slope_of_the_law_at_rest() {
+    let mesh = Mesh { density: 1391.0, spacing: 0.0017 };
+    let mut materials = every_material();
+    materials.push(Law::Exponential { a: 1.9e9, b: 31.7 }.into());
+    for material in materials {
+        let Some(law) = of_scene::<f64>(&material, mesh, 2.3e-7).unwrap() else { continue };
+        let memory = vec![0.0; law.memory()];
+        let slope = law.instantaneous_modulus(0.0, &memory);
+        // The sum of a spring and its arms, or a product.
+        assert!((material.instantaneous_modulus() / slope - 1.0).abs() < 1e-15, "{material:?}");
+    }
+}
+
 /// What a constitution has gathered, to the bit.
 fn memory_bits(constitution: Option<&Constitution<f64>>) -> Vec<u64> {
     let Some(constitution) = constitution else { return Vec::new() };
