@@ -196,6 +196,20 @@ mod tests {
     }
 
     #[test]
+    fn a_plan_adds_the_memory_of_both_fibres_and_reaches_the_time_of_its_steps() {
+        let text = include_str!("../verification/scenes/viscoelastic.json");
+        let scene = crate::scene_file::read(text).unwrap();
+        let plan = Plan::of(&scene);
+        let secondary = scene.secondary.unwrap();
+        let expected = memory_of::<2>(scene.primary.elements, &scene.primary.material)
+            + memory_of::<3>(secondary.elements, &secondary.material);
+        assert_eq!(plan.memory, expected);
+        assert_eq!(plan.time, plan.steps as f64 * plan.time_step);
+        // To the nearest step.
+        assert!((plan.time - scene.duration).abs() <= 0.5 * plan.time_step, "{}", plan.time);
+    }
+
+    #[test]
     fn an_equation_that_a_step_leaves_out_or_changes_is_told_why() {
         let scene = |strain| {
             let text = r#"{"format": "crossfibre-scene/1", "title": "one fibre",

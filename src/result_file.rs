@@ -115,6 +115,14 @@ mod tests {
             "is \"crossfibre-scene/1\"",
         );
         refused(&good.replace("result/1", "result/2"), "format", "is \"crossfibre-result/2\"");
+        for (format, help) in [
+            ("crossfibre-scene/1", "this is a scene"),
+            ("crossfibre-result/2", "another version has written it"),
+            ("crossfibre-trace/1", "writes a result"),
+        ] {
+            let problem = read(&good.replace("crossfibre-result/1", format)).unwrap_err();
+            assert!(problem.help.as_ref().unwrap().contains(help), "{problem}");
+        }
         refused(&good.replacen("\"spacing\"", "\"gap\"", 1), "primary", "missing field `spacing`");
         let mut json: Value = serde_json::from_str(&good).unwrap();
         json["secondary"]["strain"][7] = Value::Null;

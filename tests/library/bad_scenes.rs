@@ -45,6 +45,7 @@ const NOT_JSON: &[Case] = &[
     ("0.287", "NaN", "primary.length", (4, 26), "NaN is not a number"),
     ("0.937", "-Infinity", "courant", (15, 14), "-Infinity is not a number"),
     ("0.937", "nan", "courant", (15, 14), "nan is not a number"),
+    ("0.937", "?", "courant", (15, 14), "expected a value"),
     (GOOD, "{\"$serde_json::private::RawValue\": \"\\n\\n1 2\"}", "", (1, 1), "trailing characters"),
 ];
 
@@ -151,6 +152,7 @@ const NOT_TO_BE_RUN: &[Case] = &[
     ("317.0", "1e-155", "projectile.velocity", (14, 31), "the square of the velocity is"),
     ("317.0", "1e-98", "projectile.velocity", (14, 31), "node mass × velocity² is"),
     ("0.00091", "1e306", "projectile.mass", (14, 46), "mass × velocity² is inf"),
+    ("0.00091", "1e197", "projectile.mass", (14, 46), "mass × velocity² is 1.00"),
     ("0.87e-6", "1e195", "primary", (4, 14), "the stiffness modulus × area is 7."),
     ("0.87e-6", "1e188", "primary", (4, 14), "modulus × area/Δx, by which (7) makes tension"),
 ];
@@ -187,6 +189,21 @@ fn a_fault_reads_as_one_line_and_its_help() {
         "line 13, column 21: secondary.slide_factor: must lie in 0..1, is 1.3\n  \
          help: 1 lets nothing slide, 0 lets the fibre slide freely"
     );
+}
+
+#[test]
+fn of_two_parameters_only_those_whose_product_counts_are_told_so() {
+    let message = |material| read(&GOOD.replace(LINEAR, material)).unwrap_err().message;
+    assert_eq!(message(FALLING), "must be greater than 0, is -71.0");
+    assert!(message(TWO_SIGNS).starts_with("a times b must be greater than 0, is -21"));
+}
+
+#[test]
+fn a_velocity_that_is_none_and_one_backwards_are_answered_unlike() {
+    for (velocity, help) in [("0", "nothing would ever move"), ("-317", "travels along +y")] {
+        let fault = read(&GOOD.replace("317.0", velocity)).unwrap_err();
+        assert!(fault.help.as_ref().unwrap().contains(help), "{fault}");
+    }
 }
 
 #[test]

@@ -64,6 +64,7 @@ const OTHERWISE: &[(&str, &str, &str, &str)] = &[
     ("\"projectile\": {", "\"projectile\" {", "{", "set apart by a colon"),
     ("\"linear\",", "\"linear 1,\n", "\"linear 1,", "is a quotation mark missing?"),
     ("\"linear\"", "\"linear\tlaw\"", "", "a tab is written \\t"),
+    ("\"law\"", "\"tension_only\": \"no\", \"law\"", "\"no\"", "write true or false"),
     ("0.937", "", ",", ""),
     ("317.0", "true", "true", ""),
     (GOOD, "<html>", "<", "`crossfibre new` writes one"),
