@@ -209,5 +209,6 @@ mod tests {
             assert_eq!(Number::abs(x), f64::abs(x));
             assert_eq!(Number::max(x, y), f64::max(x, y));
         }
+        assert!(Number::abs(0.0_f64).is_sign_positive());
     }
 }

@@ -163,6 +163,8 @@ fn the_good_scene_is_good() {
     assert_eq!(scene.secondary.unwrap().elements, 97);
     let chosen: Corrections = [Erratum::TimeLevel, Erratum::CrossoverInertia].into_iter().collect();
     assert_eq!(scene.corrections, chosen);
+    // The fewest elements there may be.
+    assert!(read(&GOOD.replace("139", "2")).is_ok());
     // Just over half a time step is one step: see the case of 1.18e-7 s above.
     assert!(read(&GOOD.replace("31.3e-6", "1.20e-7")).is_ok());
 }
@@ -242,6 +244,8 @@ fn bytes_that_are_not_utf_8_are_refused_where_they_stand() {
     let fault = read_bytes(&utf_16).unwrap_err();
     assert_eq!((fault.line, fault.column), (1, 1));
     assert!(fault.help.unwrap().contains("UTF-16"));
+    let utf_16: Vec<u8> = "\u{FEFF}{}".encode_utf16().flat_map(|unit| unit.to_be_bytes()).collect();
+    assert!(read_bytes(&utf_16).unwrap_err().help.unwrap().contains("UTF-16"));
 }
 
 #[test]

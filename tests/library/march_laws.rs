@@ -2,8 +2,11 @@
 
 use crate::common::{bits, run, shipped};
 use crossfibre::constitution::Constitution;
+use crossfibre::errata::Corrections;
+use crossfibre::march;
 use crossfibre::material::{Arm, Coefficients, Mesh, Update, of_scene};
 use crossfibre::outcome::Outcome;
+use crossfibre::paper::{Paper, Printed};
 use crossfibre::scene::{Law, Material, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
@@ -167,6 +170,34 @@ fn the_modulus_that_sets_the_wave_speed_is_the_slope_of_the_law_at_rest() {
         // The sum of a spring and its arms, or a product.
         assert!((material.instantaneous_modulus() / slope - 1.0).abs() < 1e-15, "{material:?}");
     }
+}
+
+#[test]
+fn a_material_is_written_without_what_it_has_not() {
+    let text = serde_json::to_string(&Material::linear(1.5e9)).unwrap();
+    assert_eq!(text, r#"{"law":"linear","modulus":1500000000.0}"#);
+}
+
+/// The page, in blocks of more elements than it asks for itself.
+struct InLongBlocks;
+
+impl Paper<f64> for InLongBlocks {
+    const BLOCK_BY_LAW: usize = 1000;
+}
+
+#[test]
+fn a_block_may_be_longer_than_the_pages() {
+    let mut scene = Scene { corrections: Corrections::NONE, ..shipped("viscoelastic") };
+    scene.primary.elements = 700;
+    let marched = |paper: &dyn Fn(&mut State<f64>) -> Outcome| {
+        let mut state = State::at_impact(&scene, Wavefront::Ignored);
+        assert_eq!(paper(&mut state), Outcome::Completed);
+        bits(&state)
+    };
+    let page = marched(&|state| march::run(&Printed, state, 50, |_| ()));
+    let long = marched(&|state| march::run(&InLongBlocks, state, 50, |_| ()));
+    // The flags are ignored, so that all 700 are one block.
+    assert!(page == long);
 }
 
 /// What a constitution has gathered, to the bit.

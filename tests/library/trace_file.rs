@@ -54,6 +54,8 @@ fn a_trace_is_a_header_and_the_events_that_are_kept() {
     let (_, lines_by_law) = lines(include_str!("../../verification/scenes/eyring.json"), filter());
     let seventh = &lines_by_law[0]["equations"][6];
     assert_eq!(seventh["lines_by_law"][0]["expression"], "{area} * {stress}");
+    let others = lines_by_law[0]["equations"].as_array().unwrap().iter().filter(|e| *e != seventh);
+    assert!(others.map(|e| &e["lines_by_law"]).all(Value::is_null));
 }
 
 /// Takes so many bytes and no more.
