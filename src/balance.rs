@@ -349,6 +349,38 @@ fn logarithmic_energy<S: Number>(e: S) -> S {
 mod tests {
     use super::*;
 
+    #[test]
+    fn the_energy_of_the_logarithmic_law_keeps_its_digits_in_a_fibre_pressed_to_nothing() {
+        // (e − 1) exp e + 1 is nearly 1; the terms of its series are as great as 10¹².
+        let e = -31.7_f64;
+        let expected = 1.0 - 32.7 * Number::exp(e);
+        assert!((logarithmic_energy(e) - expected).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_balance_with_one_number_that_is_none_is_not_finite() {
+        let numbers = |n: usize| (0..n).map(|i| 1.7 + i as f64);
+        let json = |names: &[&str]| -> serde_json::Value {
+            names.iter().map(|name| (*name).to_owned()).zip(numbers(names.len())).collect()
+        };
+        let energy =
+            ["kinetic", "stored", "dissipated", "projectile", "initial", "work", "residual"];
+        let momentum = ["fibres", "projectile", "initial", "drive", "clamps", "residual"];
+        let balance = serde_json::json!({ "energy": json(&energy), "momentum": json(&momentum) });
+        let balance: Balance = serde_json::from_value(balance).unwrap();
+        assert!(balance.is_finite());
+        for spoil in [
+            |b: &mut Balance| b.energy.residual = f64::NAN,
+            |b: &mut Balance| b.energy.projectile = f64::INFINITY,
+            |b: &mut Balance| b.momentum.residual = f64::NEG_INFINITY,
+            |b: &mut Balance| b.momentum.projectile = f64::NAN,
+        ] {
+            let mut spoilt = balance;
+            spoil(&mut spoilt);
+            assert!(!spoilt.is_finite(), "{spoilt:?}");
+        }
+    }
+
     /// dW/dλ = ln λ: the energy is the integral of the tension, by Simpson's rule (error h⁴, here
     /// under 1e-12 of the value).
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::common::{bits, run, shipped};
 use crossfibre::constitution::Constitution;
-use crossfibre::errata::Corrections;
+use crossfibre::errata::{Corrections, Erratum};
 use crossfibre::march;
 use crossfibre::material::{Arm, Coefficients, Mesh, Update, of_scene};
 use crossfibre::outcome::Outcome;
@@ -176,6 +176,35 @@ fn the_modulus_that_sets_the_wave_speed_is_the_slope_of_the_law_at_rest() {
 fn a_material_is_written_without_what_it_has_not() {
     let text = serde_json::to_string(&Material::linear(1.5e9)).unwrap();
     assert_eq!(text, r#"{"law":"linear","modulus":1500000000.0}"#);
+}
+
+#[test]
+fn a_law_knows_its_name_in_a_scene_and_whether_its_update_is_literal() {
+    let mut literal = 0;
+    for material in every_material() {
+        let written = serde_json::to_value(&material).unwrap();
+        assert_eq!(written["law"], material.law.name());
+        assert!(!material.is_literal());
+        let mut material = material;
+        if let Law::Viscoelastic { update, .. } | Law::Eyring { update, .. } = &mut material.law {
+            *update = Update::Literal;
+            assert!(material.is_literal());
+            literal += 1;
+        }
+    }
+    assert_eq!(literal, 8);
+}
+
+#[test]
+fn corrections_are_written_as_a_word_where_there_is_one() {
+    let written = |corrections| {
+        let scene = Scene { corrections, ..shipped("single-400") };
+        serde_json::to_value(&scene).unwrap()["corrections"].to_string()
+    };
+    assert_eq!(written(Corrections::ALL), "\"all\"");
+    assert_eq!(written(Corrections::NONE), "\"none\"");
+    let one: Corrections = [Erratum::TimeLevel].into_iter().collect();
+    assert_eq!(written(one), "[\"time-level\"]");
 }
 
 /// The page, in blocks of more elements than it asks for itself.
