@@ -45,6 +45,7 @@ const NOT_JSON: &[Case] = &[
     ("0.287", "NaN", "primary.length", (4, 26), "NaN is not a number"),
     ("0.937", "-Infinity", "courant", (15, 14), "-Infinity is not a number"),
     ("0.937", "nan", "courant", (15, 14), "nan is not a number"),
+    ("0.937", "+Infinity", "courant", (15, 14), "+Infinity is not a number"),
     ("0.937", "?", "courant", (15, 14), "expected a value"),
     (GOOD, "{\"$serde_json::private::RawValue\": \"\\n\\n1 2\"}", "", (1, 1), "trailing characters"),
 ];
