@@ -355,6 +355,7 @@ mod tests {
         let e = -31.7_f64;
         let expected = 1.0 - 32.7 * Number::exp(e);
         assert!((logarithmic_energy(e) - expected).abs() < 1e-15);
+        assert!(logarithmic_energy(f64::NAN).is_nan());
     }
 
     #[test]

@@ -244,6 +244,7 @@ mod tests {
     fn equations_are_numbered_as_on_the_page() {
         for (i, e) in EQUATIONS.iter().enumerate() {
             assert_eq!(usize::from(e.number), i + 1);
+            assert_eq!(equation(e.number).map(|found| found.number), Some(e.number));
         }
         assert_eq!(EQUATIONS.len(), 20);
         assert!(equation(0).is_none() && equation(21).is_none());

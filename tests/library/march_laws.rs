@@ -221,12 +221,17 @@ fn a_block_may_be_longer_than_the_pages() {
     let marched = |paper: &dyn Fn(&mut State<f64>) -> Outcome| {
         let mut state = State::at_impact(&scene, Wavefront::Ignored);
         assert_eq!(paper(&mut state), Outcome::Completed);
-        bits(&state)
+        let path = state.primary.constitution.as_ref().unwrap().path;
+        (bits(&state), [path.stored, path.dissipated])
     };
     let page = marched(&|state| march::run(&Printed, state, 50, |_| ()));
     let long = marched(&|state| march::run(&InLongBlocks, state, 50, |_| ()));
-    // The flags are ignored, so that all 700 are one block.
-    assert!(page == long);
+    // The flags are ignored, so that all 700 are one block, and two of the page's.
+    assert!(page.0 == long.0);
+    // Energies are summed block by block.
+    for (page, long) in page.1.into_iter().zip(long.1) {
+        assert!(long > 0.0 && (page / long - 1.0).abs() < 1e-13, "{page} {long}");
+    }
 }
 
 /// What a constitution has gathered, to the bit.

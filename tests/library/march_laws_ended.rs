@@ -1,6 +1,7 @@
 //! How a run ends that a law breaks off, judged by the law's own slope.
 
 use crate::common::{shipped, steps};
+use crossfibre::constitution::Constitution;
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::march;
 use crossfibre::material::Update;
@@ -76,6 +77,18 @@ fn under_equation_4_the_slope_is_that_per_length_of_the_step_before() {
     assert_eq!(now.iter().position(|&c| c > 1.0), Some(place.index));
     // Lengths of a hundredth of what they are rounded from.
     assert!((courant / now[place.index] - 1.0).abs() < 1e-12, "{courant} {}", now[place.index]);
+}
+
+#[test]
+fn without_a_bound_a_wave_speed_that_outgrows_the_step_is_marched_on_with() {
+    let mut scene = polynomial(1.93e12, 0.83);
+    scene.projectile.velocity = 371.0;
+    let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
+    state.primary.constitution = state.primary.constitution.take().map(Constitution::unbounded);
+    let paper = Corrected::<Engineering>::new(scene.corrections);
+    let (bounded, outcome, _) = broken(&scene, 1.93e12);
+    assert!(matches!(outcome, Outcome::CourantExceeded { .. }), "{outcome}");
+    assert_eq!(march::run(&paper, &mut state, bounded.step + 1, |_| ()), Outcome::Completed);
 }
 
 /// The Courant number at which a run at a velocity (m/s) ends.
