@@ -58,8 +58,8 @@ mod tests {
     }
 
     #[test]
-    fn what_survives_or_is_not_reached_has_a_reason_and_no_input_shows_a_fault() {
-        assert_eq!(number_of(0, "survived without a reason"), 0);
+    fn what_goes_unnoticed_or_is_not_reached_has_a_reason_and_no_input_shows_a_fault() {
+        assert_eq!(number_of(0, "unnoticed without a reason"), 0);
         assert_eq!(number_of(1, "lines not reached without a reason"), 0);
         assert_eq!(number_of(2, "faults"), 0);
         assert!(number_of(2, "inputs") >= 10_000_000);
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn every_mutant_has_come_to_one_end() {
-        let ends = ["caught", "out of time", "not compiled", "survived", "not tried"];
+        let ends = ["caught", "out of time", "not compiled", "survived", "not reached"];
         assert_eq!(ends.map(|end| number_of(0, end)).iter().sum::<u64>(), number_of(0, "mutants"));
     }
 }

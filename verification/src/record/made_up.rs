@@ -116,7 +116,7 @@ pub fn passing() -> Record {
         sensitivity: Some(sensitivity),
         examined: vec![Examination {
             what: "mutants".into(),
-            tool: "cargo-mutants".into(),
+            tool: "cargo-gamma".into(),
             date: "1980-03-07".into(),
             commits: vec!["0123abc".into(), "4567def".into()],
             counts: vec![(37, "mutants".into()), (3, "survived".into())],
