@@ -111,7 +111,7 @@ const NOT_A_SCENE: &[Case] = &[
     ("\"crossover-inertia\"", "\"theta\"", "corrections[1]", (17, 33), "correction `theta`"),
     ("time-level", "time-levle", "corrections[0]", (17, 19), "did you mean `time-level`?"),
     ("[\"time-level\", \"crossover-inertia\"]", "\"al\"", "corrections", (17, 18), "mean `all`?"),
-    ("[\"time-level\", \"crossover-inertia\"]", "true", "corrections", (17, 18), "expected"),
+    ("[\"time-level\", \"crossover-inertia\"]", "true", "corrections", (17, 18), "\"all\", \"none\""),
     ("\"corrections\"", "\"strain\": \"true\", \"corrections\"", "strain", (17, 13), "`true`"),
 ];
 
