@@ -205,40 +205,6 @@ mod tests {
         assert_eq!(back["in"]["v"][1].as_f64().unwrap().to_bits(), v[1].to_bits());
     }
 
-    /// Takes a header and refuses the line after it.
-    #[derive(Default)]
-    struct Refusing {
-        asked: u32,
-    }
-
-    impl Write for &mut Refusing {
-        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-            self.asked += 1;
-            if self.asked == 2 { Err(io::Error::other("full")) } else { Ok(bytes.len()) }
-        }
-
-        fn flush(&mut self) -> io::Result<()> {
-            Ok(())
-        }
-    }
-
-    #[test]
-    fn after_a_line_that_could_not_be_written_none_is_and_the_failure_is_told() {
-        let text = include_str!("../verification/scenes/single-400.json");
-        let scene = crate::scene_file::read(text).unwrap();
-        let paper = crate::paper::Printed;
-        let mut out = Refusing::default();
-        let mut lines =
-            JsonLines::start::<f64>(&mut out, &scene, &paper, Filter::default()).unwrap();
-        for step in 1..=3 {
-            let place = Place { step, fibre: Fibre::Primary, index: 12 };
-            let output = Value::Scalar(0.3_f64);
-            lines.event(&Event { place, equation: 4, inputs: &[], output });
-        }
-        assert_eq!(lines.finish().unwrap_err().to_string(), "full");
-        assert_eq!(out.asked, 2);
-    }
-
     #[test]
     fn a_filter_keeps_what_it_names() {
         let filter = Filter {

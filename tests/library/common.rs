@@ -13,7 +13,7 @@ use crossfibre::place::Place;
 use crossfibre::result::{WithPaper, with_paper};
 use crossfibre::scene::{Scene, Strain};
 use crossfibre::scene_file;
-use crossfibre::state::{State, Wavefront};
+use crossfibre::state::{FibreState, State, Wavefront};
 use crossfibre::trace::{Event, Sink, Traced, Value};
 use proptest::test_runner::Config as ProptestConfig;
 
@@ -178,11 +178,14 @@ pub fn trace(scene: &Scene) -> (State<f64>, Outcome, Vec<Seen>) {
     with_paper(scene, Run(scene))
 }
 
+/// Of each element, m.
+pub fn lengths<const D: usize>(fibre: &FibreState<f64, D>) -> Vec<f64> {
+    fibre.position.windows(2).map(|ends| (ends[1] - ends[0]).norm()).collect()
+}
+
 /// Every number of a state that the physics shows, to the bit: not how much work it took.
 pub fn bits(state: &State<f64>) -> Vec<u64> {
-    fn fibre<const D: usize>(
-        fibre: &crossfibre::state::FibreState<f64, D>,
-    ) -> impl Iterator<Item = f64> + '_ {
+    fn fibre<const D: usize>(fibre: &FibreState<f64, D>) -> impl Iterator<Item = f64> + '_ {
         let vectors = [&fibre.position, &fibre.velocity, &fibre.pull];
         let scalars = [&fibre.strain, &fibre.tension, &fibre.unstrained];
         vectors

@@ -1,6 +1,6 @@
 //! How a run ends that a law breaks off, judged by the law's own slope.
 
-use crate::common::{shipped, steps};
+use crate::common::{lengths, shipped, steps};
 use crossfibre::constitution::Constitution;
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::march;
@@ -55,10 +55,7 @@ fn under_equation_4_the_slope_is_that_per_length_of_the_step_before() {
     (scene.strain, scene.projectile.velocity) = (Strain::Incremental, 371.0);
     let mut state = State::<f64>::at_impact(&scene, Wavefront::Flagged);
     let paper = Corrected::<Incremental>::new(scene.corrections);
-    let lengths = |state: &State<f64>| -> Vec<f64> {
-        state.primary.position.windows(2).map(|ends| (ends[1] - ends[0]).norm()).collect()
-    };
-    let mut before = lengths(&state);
+    let mut before = lengths(&state.primary);
     let dx = scene.primary.length / scene.primary.elements as f64;
     let local = |state: &State<f64>, before: &[f64]| -> Vec<f64> {
         let slopes = slopes(state, second).into_iter().zip(before);
@@ -69,7 +66,7 @@ fn under_equation_4_the_slope_is_that_per_length_of_the_step_before() {
     let mut greatest = 0.0_f64;
     let outcome = march::run(&paper, &mut state, steps(&scene), |state| {
         greatest = local(state, &before).into_iter().fold(greatest, f64::max);
-        before = lengths(state);
+        before = lengths(&state.primary);
     });
     let Outcome::CourantExceeded { place, courant, .. } = outcome else { panic!("{outcome}") };
     assert!(greatest > 0.9 && greatest < 1.0 + 1e-9, "{greatest}");

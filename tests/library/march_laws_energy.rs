@@ -10,7 +10,7 @@ use crossfibre::place::Fibre;
 use crossfibre::scene::{Law, Scene, Strain};
 use crossfibre::state::{FibreState, State, Wavefront};
 
-use crate::common::{shipped, steps, trace};
+use crate::common::{lengths, shipped, steps, trace};
 
 /// Two unlike viscoelastic fibres.
 fn scene(strain: Strain) -> Scene {
@@ -30,10 +30,6 @@ fn constitution<const D: usize>(fibre: &FibreState<f64, D>) -> &Constitution<f64
 /// Dissipated by each element, J/m³: the first number that a viscoelastic law remembers.
 fn dissipated<const D: usize>(fibre: &FibreState<f64, D>) -> Vec<f64> {
     (0..fibre.elements()).map(|i| constitution(fibre).remembered(i).numbers()[0]).collect()
-}
-
-fn lengths<const D: usize>(fibre: &FibreState<f64, D>) -> Vec<f64> {
-    fibre.position.windows(2).map(|ends| (ends[1] - ends[0]).norm()).collect()
 }
 
 /// Energy that a fibre has dissipated between two states, J, of one of its halves or arms: the work of a step

@@ -1,5 +1,6 @@
 //! A trace as the library writes it: a header and an event a line, or the failure of the output.
 
+use std::cell::Cell;
 use std::io::{self, Write};
 
 use crossfibre::march;
@@ -58,15 +59,21 @@ fn a_trace_is_a_header_and_the_events_that_are_kept() {
     assert!(others.map(|e| &e["lines_by_law"]).all(Value::is_null));
 }
 
-/// Takes so many bytes and no more.
-struct Full(usize);
+/// Takes so many bytes and no more, and counts what it has refused.
+struct Full<'a> {
+    room: usize,
+    refused: &'a Cell<u32>,
+}
 
-impl Write for Full {
+impl Write for Full<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self.0.checked_sub(bytes.len()) {
-            None => Err(io::Error::other("no room")),
+        match self.room.checked_sub(bytes.len()) {
+            None => {
+                self.refused.set(self.refused.get() + 1);
+                Err(io::Error::other("no room"))
+            }
             Some(left) => {
-                self.0 = left;
+                self.room = left;
                 Ok(bytes.len())
             }
         }
@@ -78,10 +85,13 @@ impl Write for Full {
 }
 
 #[test]
-fn an_output_that_fails_is_told_at_the_start_or_the_end() {
+fn an_output_that_fails_is_told_at_the_start_or_the_end_and_not_asked_again() {
     let scene = scene_file::read(include_str!("../../verification/scenes/fig3.json")).unwrap();
     for room in [0, 20_000] {
-        let failed = with_paper(&scene, Trace(&scene, Filter::default(), Full(room))).unwrap_err();
+        let refused = Cell::new(0);
+        let full = Full { room, refused: &refused };
+        let failed = with_paper(&scene, Trace(&scene, Filter::default(), full)).unwrap_err();
         assert_eq!(failed.to_string(), "no room", "{room}");
+        assert_eq!(refused.get(), 1, "{room}");
     }
 }
