@@ -113,6 +113,52 @@ fn along<'l, S: Number>(law: &'l dyn Law<S>, steps: u32, part: f64) -> Run<'l, S
 }
 
 #[test]
+fn an_element_remembers_and_its_waves_grow_faster_as_its_law_says() {
+    // Numbers by the table of the module, with two arms; polynomial, exponential and quadratic terms
+    // are what a strain can make stiffer.
+    for (name, law) in laws::<f64>(DURATION) {
+        let (memory, can_outgrow) = match name {
+            "linear" => (0, false),
+            "polynomial" | "exponential" => (0, true),
+            "viscoelastic" | "viscoelastic, literal" => (3, false),
+            "Eyring" | "Eyring, literal" => (2, false),
+            "slack linear" => (1, false),
+            "slack viscoelastic" => (4, false),
+            "slack Eyring" => (3, false),
+            "viscous linear" => (1, true),
+            "viscous slack Eyring" => (4, true),
+            _ => panic!("{name} is missing here"),
+        };
+        assert_eq!((law.memory(), law.can_outgrow_the_step()), (memory, can_outgrow), "{name}");
+    }
+    let straight = Polynomial::<f64>::new(&[58.6e9, 0.0]).unwrap();
+    assert!(!straight.can_outgrow_the_step());
+    assert!(TensionOnly::new(Exponential::<f64>::new(1.7e9, 23.7).unwrap()).can_outgrow_the_step());
+    let [exact, literal] = [Update::Exact, Update::Literal].map(|update| update.is_exact());
+    assert!(exact && !literal);
+}
+
+#[test]
+fn a_block_is_its_elements_one_by_one() {
+    for (name, law) in laws::<f64>(DURATION / 10.0) {
+        let mut runs: Vec<_> = [0.2, 0.5, 0.9].map(|part| along(&*law, 10, part)).into();
+        let before: Vec<f64> = runs.iter().map(|run| run.strain).collect();
+        let now = [0.0131, 0.0078, -0.0042];
+        let mut memory: Vec<f64> = runs.iter().flat_map(|run| run.memory.clone()).collect();
+        let mut block = [[f64::NAN; 3]; 3];
+        law.stresses(&before, &now, &mut memory, &mut block[0]);
+        law.dissipations(&memory, &mut block[1]);
+        law.step_moduli(&before, &now, &memory, &mut block[2]);
+        for (i, run) in runs.iter_mut().enumerate() {
+            let stress = run.to(now[i]);
+            let modulus = law.step_modulus(before[i], now[i], &run.memory);
+            let alone = [stress, run.dissipated(), modulus];
+            assert_eq!(block.map(|numbers| numbers[i]), alone, "{name} {i}");
+        }
+    }
+}
+
+#[test]
 fn tangent_is_the_limit_of_difference_quotients() {
     // Loading, unloading, in compression. The quotient errs by h² third derivatives (relative
     // (h/Δε)² ~ 1e-8 at worst) and by rounding, 1e-16 × stress/(h × modulus) ~ 1e-10.
@@ -313,7 +359,8 @@ fn numbers_that_make_no_law_are_refused_with_the_name_of_the_parameter() {
     assert!(Polynomial::<f64>::new(&[1.3e9, -2e9]).is_ok());
     named(Exponential::<f64>::new(f64::INFINITY, 19.3).unwrap_err(), "a");
     named(Exponential::<f64>::new(1.3e9, f64::NAN).unwrap_err(), "b");
-    for (a, b) in [(1.3e9, -19.3), (-1.3e9, 19.3), (0.0, 19.3)] {
+    // The last: a product that is lost below the least number, where the quotient is not.
+    for (a, b) in [(1.3e9, -19.3), (-1.3e9, 19.3), (0.0, 19.3), (1e-200, 1e-200)] {
         named(Exponential::<f64>::new(a, b).unwrap_err(), "a*b");
     }
     let arms = |modulus, relaxation_time| [ARMS[0], Arm { modulus, relaxation_time }];

@@ -1,7 +1,7 @@
 use approx::assert_relative_eq;
 
 use super::super::tests::Run;
-use super::super::{Linear, TensionOnly};
+use super::super::{Arm, Linear, TensionOnly, Update, Viscoelastic};
 use super::*;
 
 const E: f64 = 58.6e9;
@@ -118,4 +118,37 @@ fn slack_fibre_has_no_viscous_stress_and_none_ever_pushes() {
 #[test]
 fn wave_speed_stays_that_of_the_material() {
     assert_eq!(viscous(0.61, 1.9).prepared(0.041e-6).instantaneous_modulus(0.0137, &[0.0]), E);
+}
+
+#[test]
+fn a_step_is_bounded_by_the_viscous_slope_as_well_where_the_fibre_is_taut() {
+    // M = E + 2 dq/dε; where the fibre is slack there is neither.
+    let (step, coefficients) = (0.041e-6, Coefficients { linear: 0.61, quadratic: 1.9 });
+    let inner = TensionOnly::new(Linear::<f64>::new(E).unwrap());
+    let law = ArtificialViscosity::new(inner, MESH, coefficients).unwrap().prepared(step);
+    let mut run = Run::new(&law);
+    run.to(0.0137);
+    let bears_both = viscous(0.61, 1.9).prepared(step);
+    let taut = law.step_modulus(0.0, 0.0137, &run.memory);
+    assert_eq!(taut, bears_both.step_modulus(0.0, 0.0137, &[0.0]));
+    let slope = law.tangent_modulus(0.0, 0.0137, &run.memory) - E;
+    assert_relative_eq!(taut, E + 2.0 * slope, max_relative = 1e-15);
+    assert!(slope > 0.1 * E);
+    run.to(-0.0017);
+    assert_eq!(law.step_modulus(0.0137, -0.0017, &run.memory), 0.0);
+}
+
+#[test]
+fn without_coefficients_it_is_the_law_within() {
+    let none = Coefficients { linear: 0.0, quadratic: 0.0 };
+    let arms = [Arm { modulus: 17.3e9, relaxation_time: 0.43e-6 }];
+    let within = Viscoelastic::<f64>::new(31.9e9, &arms, Update::Exact).unwrap();
+    let around = ArtificialViscosity::new(within.clone(), MESH, none).unwrap().prepared(0.041e-6);
+    let within = within.prepared(0.041e-6);
+    let (mut alone, mut wrapped) = (Run::new(&within), Run::new(&around));
+    for strain in [0.0137, 0.0091, -0.0033] {
+        assert_eq!(wrapped.to(strain), alone.to(strain));
+        assert_eq!(wrapped.dissipated(), alone.dissipated());
+    }
+    assert!(alone.dissipated() > 0.0);
 }
