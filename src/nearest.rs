@@ -8,6 +8,11 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     (edits <= best.chars().count().div_ceil(3)).then_some(best)
 }
 
+/// The question after a name that is not known; nothing where no known one is near.
+pub fn did_you_mean(name: &str, known: &[&str]) -> String {
+    nearest(name, known).map_or_else(String::new, |meant| format!(", did you mean `{meant}`?"))
+}
+
 /// Letters to insert, remove or replace to turn one name into the other (Levenshtein's distance).
 fn edits(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
@@ -51,5 +56,7 @@ mod tests {
         assert_eq!(nearest("couXXXt", &known), Some("courant"));
         assert_eq!(nearest("coXXXXt", &known), None);
         assert_eq!(nearest("are", &[]), None);
+        assert_eq!(did_you_mean("DENSTY", &known), ", did you mean `density`?");
+        assert_eq!(did_you_mean("coXXXXt", &known), "");
     }
 }

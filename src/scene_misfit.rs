@@ -1,7 +1,7 @@
 //! JSON, but not a scene: what serde found, at its place and in words for people.
 
 use crate::json_locate::{members, value};
-use crate::nearest::nearest;
+use crate::nearest::did_you_mean;
 use crate::scene_check::Problem;
 use crate::scene_file::{Fault, bare};
 
@@ -43,10 +43,7 @@ fn advice(message: &str) -> Option<&'static str> {
 fn unknown(text: &str, path: &str, message: &str, name: &str, known: &[&str]) -> Fault {
     let what = message.split(", expected").next().unwrap_or(message);
     let what = what.replace("unknown variant", "unknown name");
-    let message = match nearest(name, known) {
-        Some(meant) => format!("{what}, did you mean `{meant}`?"),
-        None => what,
-    };
+    let message = what + &did_you_mean(name, known);
     let help = Some(format!("known here: {}", known.join(", ")));
     if !message.starts_with("unknown field") {
         return Fault::at_path(text, Problem { path: path.into(), message, help });

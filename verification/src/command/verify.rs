@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
-use crossfibre::nearest::nearest;
+use crossfibre::nearest::did_you_mean;
 use serde_json::json;
 
 use super::{sensitivity, verify_shown};
@@ -106,8 +106,7 @@ fn chosen(args: &Args) -> Result<Vec<Case>> {
         if !cases.iter().any(|case| case.id.contains(part)) {
             let known: Vec<_> =
                 cases.iter().flat_map(|case| case.id.split('.').chain([case.id])).collect();
-            let meant = nearest(part, &known)
-                .map_or(String::new(), |meant| format!(", did you mean `{meant}`?"));
+            let meant = did_you_mean(part, &known);
             bail!("no case has `{part}` in its name{meant}; `crossfibre verify --list` names them");
         }
     }

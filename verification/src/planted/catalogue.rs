@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 use std::sync::OnceLock;
 
-use crossfibre::nearest::nearest;
+use crossfibre::nearest::did_you_mean;
 
 use super::{exact, march, material, record};
 use crate::faulty::catalogue as equation;
@@ -128,8 +128,8 @@ pub enum Refused {
     Unknown {
         /// The name.
         id: String,
-        /// What it may have been meant to be.
-        meant: Option<&'static str>,
+        /// The question whether another was meant; empty if none is near.
+        meant: String,
     },
     /// Something has been planted in this process before.
     Twice,
@@ -138,10 +138,7 @@ pub enum Refused {
 impl Display for Refused {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unknown { id, meant: Some(meant) } => {
-                write!(to, "no fault is called `{id}`, did you mean `{meant}`?")
-            }
-            Self::Unknown { id, meant: None } => write!(to, "no fault is called `{id}`"),
+            Self::Unknown { id, meant } => write!(to, "no fault is called `{id}`{meant}"),
             Self::Twice => write!(to, "something has been planted before"),
         }
     }
@@ -167,6 +164,6 @@ pub(super) fn find(id: &str) -> Result<Plant, Refused> {
     let known = || faults().chain(other_words());
     known().find(|plant| plant.entry().id == id).ok_or_else(|| {
         let names: Vec<_> = known().map(|plant| plant.entry().id).collect();
-        Refused::Unknown { id: id.into(), meant: nearest(id, &names) }
+        Refused::Unknown { id: id.into(), meant: did_you_mean(id, &names) }
     })
 }
