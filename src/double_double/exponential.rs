@@ -73,7 +73,8 @@ impl DoubleDouble {
 
     /// eˣ − 1 = 2ᵏ ((eʳ − 1) + (1 − 2⁻ᵏ)).
     pub(super) fn exponential_less_one(self) -> Self {
-        if self.hi.is_nan() || !(-100.0..750.0).contains(&self.hi) {
+        // What is not a number is in no range.
+        if !(-100.0..750.0).contains(&self.hi) {
             return Self::double(pxfm::f_expm1(self.hi));
         }
         let (exponent, r) = self.modulo_ln_2();

@@ -84,6 +84,8 @@ mod tests {
             // asin(sin θ) near π/2 magnifies an ulp by 1/cos θ, 28 at 3.07.
             assert!((ratio - 1.0).abs() < 2e-15, "{k_dx}: {ratio}");
         }
+        // The highest mode as well, ωΔt = π.
+        assert_eq!(phase_speed_ratio(1.0, PI), Some(1.0));
         assert_eq!(phase_speed_ratio(0.731, 0.0), Some(1.0));
     }
 

@@ -130,10 +130,17 @@ fn an_element_remembers_and_its_waves_grow_faster_as_its_law_says() {
             _ => panic!("{name} is missing here"),
         };
         assert_eq!((law.memory(), law.can_outgrow_the_step()), (memory, can_outgrow), "{name}");
+        assert_eq!(law.bears_compression(), !name.contains("slack"), "{name}");
     }
+    let none = Coefficients { linear: 0.13, quadratic: 0.0 };
+    let mesh = Mesh { density: 1206.7, spacing: 0.47e-3 };
+    let linear = Linear::<f64>::new(58.6e9).unwrap();
+    assert!(!ArtificialViscosity::new(linear, mesh, none).unwrap().can_outgrow_the_step());
+    let harder = Exponential::<f64>::new(1.7e9, 23.7).unwrap();
+    assert!(ArtificialViscosity::new(harder, mesh, none).unwrap().can_outgrow_the_step());
     let straight = Polynomial::<f64>::new(&[58.6e9, 0.0]).unwrap();
     assert!(!straight.can_outgrow_the_step());
-    assert!(TensionOnly::new(Exponential::<f64>::new(1.7e9, 23.7).unwrap()).can_outgrow_the_step());
+    assert!(TensionOnly::new(harder).can_outgrow_the_step());
     let [exact, literal] = [Update::Exact, Update::Literal].map(|update| update.is_exact());
     assert!(exact && !literal);
 }

@@ -108,6 +108,11 @@ fn angles_too_great_to_be_reduced_are_undefined_and_not_guessed() {
     for x in [1.3e15, -4.7e200, f64::INFINITY].map(DoubleDouble::from_f64) {
         assert!(x.sin().hi().is_nan() && x.cos().hi().is_nan());
     }
+    // The last that is reduced is 2⁵⁰; tolerance: a few roundings of 2⁻¹⁰⁵.
+    let last = DoubleDouble::from_f64(power_of_two(50));
+    let (sine, cosine) = (last.sin(), last.cos());
+    let off = sine * sine + cosine * cosine - DoubleDouble::one();
+    assert!(off.hi().abs() < 8.0 * power_of_two(-105), "{off}");
 }
 
 #[test]

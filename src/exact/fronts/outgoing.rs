@@ -73,3 +73,22 @@ impl Waves {
         self.kept.last().map_or(ahead, |wave| wave.behind)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    #[test]
+    fn waves_as_strong_as_the_weakest_are_kept_and_those_without_strength_never() {
+        let behind = State { strain: 0.01, velocity: Vector3::zeros(), direction: Vector3::x() };
+        let wave = |strength| Outgoing { speed: 1.0, family: Family::Kink, strength, behind };
+        let mut waves = Waves::default();
+        for (strength, weakest) in [(0.0, 0.0), (1e-3, 1e-3), (2e-3, 1e-3), (0.9e-3, 1e-3)] {
+            waves.add(wave(strength), weakest);
+        }
+        let kept: Vec<f64> = waves.kept.iter().map(|wave| wave.strength).collect();
+        assert_eq!((kept, waves.dropped), (vec![1e-3, 2e-3], 0.9e-3));
+    }
+}

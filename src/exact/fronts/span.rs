@@ -272,3 +272,27 @@ fn front(wave: &Outgoing, speed: f64, right: State, at: f64, time: f64) -> Front
     let Outgoing { family, strength, .. } = *wave;
     Front { origin: at - speed * time, speed, family, strength, made: time, right }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    #[test]
+    fn what_is_as_near_as_rounding_or_as_weak_for_its_distance_is_taken_into_a_meeting() {
+        let right = State { strain: 0.01, velocity: Vector3::zeros(), direction: Vector3::x() };
+        let (origin, speed, made) = (0.0, 1.0, 0.0);
+        let on = Resolution { weakest: 1e-6, moment: 0.5, rounding: 1e-13 };
+        for (strength, distance, merges) in [
+            (1e20, 1e-13, true),
+            (1e20, 2e-13, false),
+            (0.25, 2.0, true),
+            (0.25, 2.5, false),
+            (0.0, 1e9, true),
+        ] {
+            let front = Front { origin, speed, family: Family::Kink, strength, made, right };
+            assert_eq!(on.merges(&front, distance), merges, "{strength} {distance}");
+        }
+    }
+}

@@ -1,7 +1,7 @@
 use approx::assert_relative_eq;
 
 use super::super::tests::Run;
-use super::super::{Arm, Linear, TensionOnly, Update, Viscoelastic};
+use super::super::{Arm, Linear, Polynomial, TensionOnly, Update, Viscoelastic};
 use super::*;
 
 const E: f64 = 58.6e9;
@@ -95,6 +95,9 @@ fn greatest_courant_number_is_where_a_chain_begins_to_diverge() {
         max_relative = 3e-16
     );
     assert_eq!(viscous(0.0, 0.0).greatest_courant(3.1e4), 1.0);
+    // At rest the quadratic part is nothing.
+    let at_rest = Coefficients { linear: 0.13, quadratic: 1.9 }.greatest_courant_at_rest();
+    assert_eq!(at_rest, viscous(0.13, 0.0).greatest_courant(3.1e4));
 }
 
 #[test]
@@ -127,15 +130,21 @@ fn a_step_is_bounded_by_the_viscous_slope_as_well_where_the_fibre_is_taut() {
     let inner = TensionOnly::new(Linear::<f64>::new(E).unwrap());
     let law = ArtificialViscosity::new(inner, MESH, coefficients).unwrap().prepared(step);
     let mut run = Run::new(&law);
+    run.to(0.0051);
     run.to(0.0137);
     let bears_both = viscous(0.61, 1.9).prepared(step);
-    let taut = law.step_modulus(0.0, 0.0137, &run.memory);
-    assert_eq!(taut, bears_both.step_modulus(0.0, 0.0137, &[0.0]));
-    let slope = law.tangent_modulus(0.0, 0.0137, &run.memory) - E;
+    let taut = law.step_modulus(0.0051, 0.0137, &run.memory);
+    assert_eq!(taut, bears_both.step_modulus(0.0051, 0.0137, &[0.0]));
+    let slope = law.tangent_modulus(0.0051, 0.0137, &run.memory) - E;
     assert_relative_eq!(taut, E + 2.0 * slope, max_relative = 1e-15);
     assert!(slope > 0.1 * E);
     run.to(-0.0017);
     assert_eq!(law.step_modulus(0.0137, -0.0017, &run.memory), 0.0);
+    // A law that bears compression is not slack where it has no modulus, as ε − ε² at one half.
+    let top = Polynomial::<f64>::new(&[1e9, -1e9]).unwrap();
+    let law = ArtificialViscosity::new(top, MESH, coefficients).unwrap().prepared(step);
+    assert_eq!(law.instantaneous_modulus(0.5, &[0.0]), 0.0);
+    assert!(law.step_modulus(0.25, 0.5, &[0.0]) > 1e9);
 }
 
 #[test]

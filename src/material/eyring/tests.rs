@@ -204,3 +204,23 @@ fn literal_update_diverges_where_flow_overtakes_it_and_the_exact_one_does_not() 
     let mut memory = [0.0, 17.0 * STRESS];
     assert!(law.stress(0.01, 0.01, &mut memory) < 4.0 * STRESS);
 }
+
+#[test]
+fn slack_strain_is_found_however_far_the_element_has_shortened() {
+    // From far below, Newton's rule leaves the bracket on either side: the arm's stress grows as the
+    // logarithm of the strain there. Tolerance: what a strain that is off by its last digit carries, and
+    // some roundings of the arm's stress.
+    for (e0, rate) in [(31.9e9, 190.0), (0.0, 190.0), (0.37e9, 1.9e4), (0.0, 1.9e6)] {
+        for (before, stress) in [(0.0137, 17.0), (0.0137, 3.1), (0.41, 0.23)] {
+            for (now, step) in [(-0.0093, 0.31e-6), (-0.57, 0.31e-6), (-0.57, 0.013e-6)] {
+                let law = prepared(e0, rate, Update::Exact, step);
+                let memory = [0.0, stress * STRESS];
+                let slack = law.taut_strain(before, now, &memory);
+                let rounding =
+                    law.tangent_modulus(before, slack, &memory) * before + stress * STRESS;
+                let carried = law.carried(before, slack, &memory);
+                assert!(carried.abs() < 1e-14 * rounding, "{e0} {rate} {before} {now}: {carried}");
+            }
+        }
+    }
+}
