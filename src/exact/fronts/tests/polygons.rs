@@ -31,6 +31,8 @@ fn polygon_is_made_of_chords_of_its_law() {
         if strain != spacing {
             let speed = polygon.wave_speeds(strain, strain).0;
             assert!((speed * speed / square - 1.0).abs() < 1e-12);
+            let modulus = polygon.tangent_modulus(strain);
+            assert!((modulus / (1206.7 * square) - 1.0).abs() < 1e-12, "{modulus}");
         }
         let kink = (tension / (1206.7 * (1.0 + strain))).sqrt();
         assert!((polygon.kink_speed(strain) / kink - 1.0).abs() < 1e-14);
@@ -38,6 +40,12 @@ fn polygon_is_made_of_chords_of_its_law() {
         let short = LAW.tension(strain) - polygon.tension(strain);
         assert!(short > -1e-4 && short < 58.6e9 * spacing * spacing / 8.0, "{short}");
     }
+}
+
+#[test]
+fn energy_of_a_line_is_half_of_what_it_pulls_through() {
+    // 58.6e9 × 0.0137²/2 by hand; tolerance: three roundings.
+    assert!((ARAMID.stored_energy(0.0137) / 5_499_317.0 - 1.0).abs() < 4e-16);
 }
 
 #[test]

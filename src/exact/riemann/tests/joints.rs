@@ -335,6 +335,7 @@ fn solution_is_found_though_the_mean_velocity_is_beyond_the_law_of_the_secondary
     let found = figure_3(Law::Logarithmic, soft, 1.0);
     let dragged = found.left.ahead.velocity / 2.0;
     assert_eq!(end(&m2, rest(Vector3::z()), dragged), Err(RiemannError::BeyondTheLaw));
+    assert!(RiemannError::BeyondTheLaw.to_string().contains("beyond the range"));
     let states = (found.left.ahead.reversed(), rest(Vector3::x()), rest(Vector3::z()));
     assert_joint((&m1, &m2), states, (1.0, Vector3::x()), &found);
 }
@@ -372,4 +373,15 @@ fn slack_primary_bent_back_over_itself_finds_its_balance() {
         let found = junction(through(&m1), left, right, through(&m2), arm, slip).unwrap();
         assert_joint((&m1, &m2), (left, right, arm), slip, &found);
     }
+}
+
+#[test]
+fn an_unstrained_fibre_at_rest_stays_as_it_is() {
+    // The least strain that is sought is the least normal number; of a kink so slow the direction is
+    // that of the fibre.
+    let m = elastic(Law::Engineering, ARAMID);
+    let along = Vector3::new(0.6, -0.8, 0.0);
+    let still = |direction| State { strain: f64::MIN_POSITIVE, ..rest(direction) };
+    let [left, right] = interior(&m, rest(along), rest(along)).unwrap();
+    assert_eq!((left.behind, right.behind), (still(-along), still(along)));
 }
