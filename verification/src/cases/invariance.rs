@@ -60,9 +60,19 @@ fn distance(a: &Marched, b: &Marched, map: impl Fn(f64, f64) -> (f64, f64)) -> f
     }) / dx
 }
 
+/// Turned by 0.613 rad.
+fn turn(x: f64, y: f64) -> (f64, f64) {
+    let (cos, sin) = (Number::cos(0.613_f64), Number::sin(0.613_f64));
+    (cos * x - sin * y, sin * x + cos * y)
+}
+
+/// Mirrored in the plane of impact.
+fn mirror(x: f64, y: f64) -> (f64, f64) {
+    (-x, y)
+}
+
 fn rotation() -> Vec<Check> {
     let (cos, sin) = (Number::cos(0.613_f64), Number::sin(0.613_f64));
-    let turn = move |x: f64, y: f64| (cos * x - sin * y, sin * x + cos * y);
     let turn_back = move |x: f64, y: f64| (cos * x + sin * y, cos * y - sin * x);
     let turned = |scene: Scene| {
         let plain = marched(scene.clone());
@@ -110,7 +120,6 @@ fn rotation() -> Vec<Check> {
 }
 
 fn reflection() -> Vec<Check> {
-    let mirror = |x: f64, y: f64| (-x, y);
     let scenes = ["single-400", "fig3", "unequal", "sliding"].map(|name| (name, shipped(name)));
     scenes
         .into_iter()
@@ -132,13 +141,23 @@ fn reflection() -> Vec<Check> {
         .collect()
 }
 
+/// A velocity that an experiment is carried along with, m/s.
+const ALONG: [f64; 2] = [-57.3, 123.4];
+
 /// How far a node ends from where it should be when the experiment is carried along, in elements.
 ///
 /// Along x and y together; the crossing fibre's own axis is closed to motion by (14).
 pub fn moved_along(scene: Scene) -> f64 {
-    let along = Vector::<f64, 2>::new(-57.3, 123.4);
     let plain = marched_from(scene.clone(), Wavefront::Ignored, &|_| {});
-    let moving = marched_from(scene, Wavefront::Ignored, &|state| {
+    let moving = carried_along(scene);
+    let way = Vector::<f64, 2>::from(ALONG) * plain.state.time();
+    distance(&plain, &moving, |x, y| (x - way.x, y - way.y))
+}
+
+/// A scene that is carried along.
+fn carried_along(scene: Scene) -> Marched {
+    let along = Vector::<f64, 2>::from(ALONG);
+    marched_from(scene, Wavefront::Ignored, &|state| {
         let drive = state.projectile.axis * state.projectile.velocity + along;
         state.projectile.velocity = drive.dot(&drive).sqrt();
         state.projectile.axis = drive / state.projectile.velocity;
@@ -149,9 +168,21 @@ pub fn moved_along(scene: Scene) -> f64 {
             crossover.fibre.velocity.iter_mut().for_each(|v| *v += along);
             crossover.fibre.clamp_velocity = along;
         }
-    });
-    let way = along * plain.state.time();
-    distance(&plain, &moving, |x, y| (x - way.x, y - way.y))
+    })
+}
+
+/// Nodes of a primary fibre whose kink has passed the crossover, in each frame.
+pub fn in_other_frames() -> Vec<(&'static str, Vec<(f64, f64)>)> {
+    let from =
+        |prepare: &dyn Fn(&mut State<f64>)| marched_from(kinked(), Wavefront::Flagged, prepare);
+    let frames = [
+        ("as the scene has it", from(&|_| {})),
+        ("turned by 0.613 rad", from(&|state| map_plane(state, turn))),
+        ("mirrored", from(&|state| map_plane(state, mirror))),
+        ("carried along at 136 m/s", carried_along(kinked())),
+    ];
+    let nodes = |ended: &Marched| ended.state.primary.position.iter().map(|p| (p.x, p.y)).collect();
+    frames.map(|(name, ended)| (name, nodes(&ended))).into()
 }
 
 fn galilean() -> Vec<Check> {

@@ -21,6 +21,9 @@ mod smith;
 mod stability;
 pub mod support;
 
+pub use by_hand::four_elements;
+pub use invariance::in_other_frames;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -10,7 +10,7 @@ mod mesh;
 mod page;
 mod projectile;
 mod ratios;
-mod rounding;
+pub mod rounding;
 mod scaling;
 mod velocity;
 

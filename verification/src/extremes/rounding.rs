@@ -45,15 +45,35 @@ fn slow(velocity: f64, strain: Strain) -> Scene {
     scene
 }
 
-/// Root mean square of ε_i/[(V/c)² (t − i − ½)] − 1 over the elements that the wave has long passed.
-fn error(scene: &Scene, strain: &[f64]) -> f64 {
+/// ε_i/[(V/c)² (t − i − ½)] − 1 of the elements that the wave has long passed.
+fn errors(scene: &Scene, strain: &[f64]) -> Vec<f64> {
     let mach = scene.projectile.velocity / exact_primary(scene).wave_speed();
-    let passed = STEPS as usize - 5;
-    let sum = strain[..passed].iter().enumerate().fold(0.0, |sum, (i, e)| {
-        let exact = mach * mach * ((STEPS as f64 - 0.5) - i as f64);
-        sum + (e / exact - 1.0) * (e / exact - 1.0)
-    });
-    (sum / passed as f64).sqrt()
+    let passed = strain[..STEPS as usize - 5].iter().enumerate();
+    passed.map(|(i, e)| e / (mach * mach * ((STEPS as f64 - 0.5) - i as f64)) - 1.0).collect()
+}
+
+/// Root mean square of the errors.
+fn error(scene: &Scene, strain: &[f64]) -> f64 {
+    let errors = errors(scene, strain);
+    let sum = errors.iter().fold(0.0, |sum, error| sum + error * error);
+    (sum / errors.len() as f64).sqrt()
+}
+
+/// By what: the errors of the elements, from the impact point on.
+pub fn drawn() -> Vec<(&'static str, Vec<f64>)> {
+    let printed = |velocity, measure| {
+        let scene = slow(velocity, measure);
+        errors(&scene, &run(&scene).primary.strain)
+    };
+    let scene = slow(1e-3, Strain::Incremental);
+    let (_, rewritten) = strain::<f64>(&scene, &Rewritten::default());
+    vec![
+        ("10 µm/s, (4) as printed", printed(1e-5, Strain::Incremental)),
+        ("1 mm/s, (4) as printed", printed(1e-3, Strain::Incremental)),
+        ("1 mm/s, engineering strain", printed(1e-3, Strain::Engineering)),
+        ("1 cm/s, (4) as printed", printed(1e-2, Strain::Incremental)),
+        ("1 mm/s, (4) rewritten", errors(&scene, &rewritten)),
+    ]
 }
 
 /// The page with (4) rewritten: L^t − L^(t−1) from what the step adds to the element.

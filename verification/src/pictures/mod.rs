@@ -2,8 +2,13 @@
 //! with the record. Each has its own ground, light and dark.
 
 mod energy;
+mod frames;
+mod history;
 mod laws;
+mod momentum;
 pub mod motion;
+mod rounding;
+mod step;
 mod stored;
 
 use schemars::JsonSchema;
@@ -42,6 +47,8 @@ pub enum Section {
 /// Cases by their names or the beginnings of them, and the pictures that show what they are about. The
 /// first that fits counts.
 const OF_CASES: &[(&str, &[&str])] = &[
+    ("by-hand.crossover", &["motion"]),
+    ("by-hand.", &["step"]),
     ("smith.", &["fig3-plateaus", "fig3"]),
     ("axial.", &["stability-velocity"]),
     ("courant.", &["stability-velocity"]),
@@ -50,19 +57,30 @@ const OF_CASES: &[(&str, &[&str])] = &[
     ("stability.", &["stability-velocity"]),
     ("crossover.inertia", &["stability-slide"]),
     ("crossover.", &["fig3-plateaus", "fig4", "fig5", "fig6", "fig7"]),
+    ("projectile.momentum", &["momentum", "stability-mass"]),
     ("projectile.", &["stability-mass"]),
     ("energy.", &["energy"]),
+    ("momentum.", &["momentum"]),
     ("motion.", &["xt", "xt-exact", "motion"]),
     ("identity.free-sliding", &["fig5", "fig6", "fig7"]),
     ("identity.wavefront-flags", &["xt"]),
     ("identity.causality", &["xt"]),
+    ("identity.both-at-origin", &["motion"]),
+    ("invariance.", &["frames"]),
     ("material.rod", &["work-rod"]),
     ("material.", &["laws"]),
     ("extreme.velocity", &["stability-velocity"]),
+    ("extreme.rounding", &["rounding"]),
+    ("extreme.ratios", &["stability-modulus"]),
     ("extreme.crossover", &["stability-modulus"]),
+    ("extreme.mesh", &["work-single"]),
+    ("extreme.long", &["energy", "momentum"]),
     ("extreme.projectile", &["stability-mass"]),
     ("extreme.laws", &["laws"]),
+    ("golden.", &["fig3", "step"]),
+    ("record.", &["work-single", "work-crossed", "work-unequal"]),
     ("precision.cost", &["time"]),
+    ("precision.split", &["work-single", "work-crossed", "work-unequal", "rounding"]),
     ("precision.", &["work-single", "work-crossed", "work-unequal"]),
 ];
 
@@ -76,7 +94,16 @@ pub fn of_case(case: &str) -> Vec<String> {
 pub fn all() -> Vec<Picture> {
     let mut pictures: Vec<Picture> = stored::PICTURES.iter().map(stored::Stored::picture).collect();
     let after = pictures.iter().position(|p| p.id == "motion").map_or(pictures.len(), |at| at + 1);
-    pictures.splice(after..after, [energy::picture(), laws::picture()]);
+    let drawn = [
+        step::picture(),
+        energy::picture(),
+        momentum::picture(),
+        frames::picture(),
+        laws::picture(),
+    ];
+    pictures.splice(after..after, drawn);
+    let after = pictures.iter().position(|p| p.id == "time").map_or(pictures.len(), |at| at + 1);
+    pictures.insert(after, rounding::picture());
     pictures
 }
 

@@ -64,12 +64,19 @@ fn before() -> State<f64> {
     state
 }
 
-/// One step, and what it makes of every number.
-pub fn four_elements() -> Vec<Check> {
+/// The state before the step, and after it.
+pub fn four_elements() -> (State<f64>, State<f64>) {
     let mut state = before();
+    let before = state.clone();
     let ended = march::step(&corrected(), &mut state);
     assert!(ended.is_ok(), "{ended:?}");
-    let fibre = &state.primary;
+    (before, state)
+}
+
+/// What the step makes of every number.
+pub fn checks() -> Vec<Check> {
+    let (_, after) = four_elements();
+    let fibre = &after.primary;
     let strains: Vec<_> = fibre.strain.iter().copied().zip(STRAINS.map(fraction)).collect();
     vec![
         compared(
