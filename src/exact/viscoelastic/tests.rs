@@ -276,6 +276,7 @@ fn ten_million_relaxation_times_are_within_reach_and_ten_milliards_are_an_error(
     assert!((state.stress / expected - 1.0).abs() < 5e-14, "{state:?}");
     let late = rod.at(0.237, 1.3e5);
     assert!(matches!(late, Err(RodError::Unsettled { .. })), "{late:?}");
+    assert!(late.unwrap_err().to_string().contains("too late a time"));
 }
 
 #[test]
