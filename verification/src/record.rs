@@ -40,6 +40,9 @@ pub struct Record {
     pub build: Build,
     /// The cases that were run, in order.
     pub cases: Vec<CaseRecord>,
+    /// The names of those that an ordinary verification runs and this did not.
+    #[serde(default)]
+    pub left_out: Vec<String>,
     /// The shipped scenes, by name and a digest of their text.
     pub scenes: Vec<SceneDigest>,
     /// The ledger.

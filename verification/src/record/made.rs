@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::{Build, CaseRecord, CheckRecord, FORMAT, LedgerLine, Record, SceneDigest};
 use crate::bits::fnv;
 use crate::cases::support::{SCENES, coarse_fig3, shipped};
-use crate::cases::{Case, verdicts};
+use crate::cases::{Case, all, verdicts};
 use crate::derivations;
 use crate::precision::{self, answer::wanted, stored::stored};
 use crate::worked::Worked;
@@ -72,7 +72,11 @@ impl Record {
                 digest: format!("{:016x}", fnv(text.bytes())),
             })
             .collect();
+        let was_run = |id: &str| cases.iter().any(|case| case.id == id);
+        let left_out =
+            all().iter().map(|case| case.id).filter(|id| !was_run(id)).map(str::to_owned).collect();
         Self {
+            left_out,
             format: FORMAT.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             build: Build::here(),

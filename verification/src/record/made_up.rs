@@ -80,6 +80,7 @@ pub fn passing() -> Record {
         version: "0.0.7".into(),
         build: Build { commit: Some("0123abc".into()), modified: Some(true), ..Build::here() },
         cases,
+        left_out: vec![],
         scenes: vec![SceneDigest {
             name: "fig3".into(),
             title: "Fig. 3".into(),

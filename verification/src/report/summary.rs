@@ -26,9 +26,10 @@ pub fn render(record: &Record) -> String {
     let found = |finding| record.claims.iter().filter(|claim| claim.finding == finding).count();
     let _ = writeln!(
         out,
-        "**{passed} of {all} checks pass**, in {}. Of {} of the paper {} are reproduced, {} are not, {} cannot be \
+        "**{passed} of {all} checks pass**, in {}{}. Of {} of the paper {} are reproduced, {} are not, {} cannot be \
          decided. {} from the page in the ledger.\n",
         count(record.cases.len(), "case"),
+        left_out(record),
         count(record.claims.len(), "claim"),
         found(Finding::Reproduced),
         found(Finding::NotReproduced),
@@ -52,6 +53,14 @@ pub fn render(record: &Record) -> String {
     out += "In full: `report.html` and `VALIDATION.md` of this job; how things are derived: `docs/exact`; \
             how to change them: `CONTRIBUTING.md`.\n";
     out
+}
+
+/// How many cases were not run, if any.
+fn left_out(record: &Record) -> String {
+    match record.left_out.len() {
+        0 => String::new(),
+        some => format!(", {} left out", count(some, "case")),
+    }
 }
 
 /// What the checks make of planted faults.
@@ -116,6 +125,14 @@ mod tests {
         assert!(failing.contains("`crossfibre verify --filter a.troubled` |"), "{failing}");
         assert!(failing.contains("set the tolerance by the error"), "{failing}");
         assert!(failing.len() < 6000, "{}", failing.len());
+    }
+
+    #[test]
+    fn a_part_of_the_cases_is_told_to_be_one() {
+        let mut record = made_up::passing();
+        assert!(render(&record).contains(" in 1 case. Of "));
+        record.left_out = vec!["smith.kink".into(), "smith.sweep".into()];
+        assert!(render(&record).contains(" in 1 case, 2 cases left out. Of "));
     }
 
     #[test]

@@ -18,6 +18,7 @@ pub fn verdict(record: &Record) -> String {
     let (all, passed) = record.tally();
     match (all, all - passed) {
         (0, _) => "No check was run".into(),
+        (_, 0) if !record.left_out.is_empty() => format!("All {all} checks that were run pass"),
         (_, 0) => format!("All {all} checks pass"),
         (_, 1) => format!("1 of {all} checks does not pass"),
         (_, failed) => format!("{failed} of {all} checks do not pass"),
@@ -54,6 +55,9 @@ fn passed(record: &Record) -> Markup {
             p.figure { (number_of(Verdict::Passed)) span.of { " of " (verdicts().count()) } }
             ul.plain {
                 li { (count(record.cases.len(), "case")) ", " (duration(seconds)) " of computing" }
+                @if !record.left_out.is_empty() {
+                    li { strong.warn { "Not all: " } (count(record.left_out.len(), "case")) " left out" }
+                }
                 @if let Some((least, median)) = head_rooms(record) {
                     li { "head-room of tolerances: " (format!("{least:.2}")) " the least, "
                         (format!("{median:.1}")) " the median, 8 the most that passes" }

@@ -125,6 +125,9 @@ mod tests {
         let passing = render(&made_up::passing());
         assert!(passing.contains("<h1 class=\"good\">All 4 checks pass</h1>"));
         assert!(!passing.contains("id=\"troubled\"") && !passing.contains(" open>"));
+        let part = render(&Record { left_out: vec!["smith.kink".into()], ..made_up::passing() });
+        assert!(part.contains("<h1 class=\"good\">All 4 checks that were run pass</h1>"));
+        assert!(part.contains("Not all: </strong>1 case left out"), "{part}");
     }
 
     #[test]
