@@ -147,6 +147,8 @@ mod tests {
     fn crossing_beyond_the_end_is_none_and_at_the_start_is_the_smallest_double() {
         assert_eq!(crossing(0.71, 1.37, |x| x - 2.71), None);
         assert_eq!(crossing(0.71, 1.37, |x| x), Some(f64::MIN_POSITIVE));
+        // One that a step of the opening bracket meets to the bit.
+        assert_eq!(crossing(0.25, 1e60, |x| x - 0.5), Some(0.5));
     }
 
     #[test]
