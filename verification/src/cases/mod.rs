@@ -243,6 +243,25 @@ mod tests {
     }
 
     #[test]
+    fn at_its_ends_a_bound_passes() {
+        for (measured, bound) in [
+            (1.0, Bound::AtMost(1.0)),
+            (0.125, Bound::AtMost(1.0)),
+            (1.0, Bound::AtLeast(1.0)),
+            (8.0, Bound::AtLeast(1.0)),
+            (9.0, Bound::AtLeast(2.0)),
+            (1.0, Bound::Within(0.5, 1.0)),
+            (0.5, Bound::Within(0.125, 1.0)),
+            (0.0625, Bound::Within(0.0, 0.5)),
+            (0.0, Bound::Within(0.0, 1.0 + f64::EPSILON)),
+            (-2.0, Bound::Within(-3.0, -1.5)),
+        ] {
+            assert_eq!(check(measured, bound), Verdict::Passed, "{measured} {bound:?}");
+        }
+        assert_eq!(check(-1.0, Bound::Within(-2.0, 0.0)), Verdict::Loose);
+    }
+
+    #[test]
     fn a_window_must_tell_something_apart() {
         let window = |low, high, x| check(x, Bound::Within(low, high));
         // A factor of 7.5, and of 8.2.
@@ -279,9 +298,13 @@ mod tests {
             check("two", 0.71, Bound::AtMost(0.7)),
             check("four", 0.0, Bound::Exactly(0.0)),
             check("five", 0.0, Bound::Exactly(0.0)),
+            check("six", 0.5, Bound::AtMost(0.9)),
         ]);
         use Verdict::{Failed, Passed, Redundant};
-        assert_eq!(verdicts, [Passed, Passed, Redundant, Redundant, Failed, Passed, Passed]);
+        assert_eq!(
+            verdicts,
+            [Passed, Passed, Redundant, Redundant, Failed, Passed, Passed, Passed]
+        );
     }
 
     #[test]

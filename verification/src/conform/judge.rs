@@ -173,6 +173,26 @@ mod tests {
         let (rounding, rest) = judged.split();
         // 8 envelopes of 1e-4 of a difference of 3e-3, each to a few units in the last place.
         assert!((rounding - 8e-4).abs() < 1e-17 && (rest - 2.2e-3).abs() < 1e-16);
+        // The only number has no place.
+        assert_eq!(judged.place, "");
+    }
+
+    #[test]
+    fn just_as_many_envelopes_as_are_allowed_are_rounding() {
+        let envelope = 2.0_f64.powi(-10);
+        let judged =
+            judge(&strain(&[0.25], envelope), &[0.25 + 8.0 * envelope], Precision::F64).unwrap();
+        assert_eq!((judged.envelopes, judged.is_rounding()), (8.0, true));
+        assert_eq!(allowed(Quantity::Equation(4)), 4.0);
+        // No envelope is needed where nothing differs.
+        let judged = judge(&strain(&[0.25], 0.0), &[0.25], Precision::F64).unwrap();
+        assert!(judged.is_rounding() && judged.is_same());
+    }
+
+    #[test]
+    fn of_equal_differences_the_first_is_told_and_of_zeros_nothing_is_relative() {
+        let judged = judge(&strain(&[0.0, 0.0], 1.0), &[0.5, 0.5], Precision::F64).unwrap();
+        assert_eq!((judged.place.as_str(), judged.relative), ("element 0", 0.0));
     }
 
     #[test]
@@ -183,6 +203,10 @@ mod tests {
         }
         let both = judge(&strain(&[f64::NAN], 1.0), &[f64::NAN], Precision::F64).unwrap();
         assert!(both.is_same());
+        for (expected, found) in [(f64::NAN, 0.25), (0.25, f64::NAN)] {
+            let judged = judge(&strain(&[expected], 1.0), &[found], Precision::F64).unwrap();
+            assert!(!judged.is_same() && judged.ulps == [u64::MAX], "{expected} {found}");
+        }
     }
 
     #[test]
@@ -194,6 +218,10 @@ mod tests {
         let written: f64 = next.to_string().parse().unwrap();
         let judged = judge(&expected, &[written], Precision::F32).unwrap();
         assert_eq!(judged.ulps, [3]);
+        // Energies are computed here, of doubles; what a candidate writes is an f32.
+        let energy = ExpectedQuantity { quantity: Quantity::Energy, ..strain(&[0.1], 1e-17) };
+        assert!(judge(&energy, &[0.1], Precision::F32).unwrap().is_same());
+        assert!(judge(&expected, &[0.1], Precision::F32).unwrap().is_same());
     }
 
     #[test]

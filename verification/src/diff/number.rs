@@ -178,6 +178,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_no_number_is_the_same_as_nothing_else_on_either_side() {
+        let none = Tolerance::default();
+        assert_eq!(apart(&[f64::NAN], &[-f64::NAN], none), Apart::SAME);
+        for (a, b) in [(0.7, f64::NAN), (f64::NAN, 0.7)] {
+            let apart = apart(&[a], &[b], none);
+            assert_eq!((apart.is_same, apart.ulp), (false, None), "{a} {b}");
+        }
+        let written = trace_line::Number::from(Number::of(f64::NAN));
+        assert!(matches!(written, trace_line::Number::Other(NotFinite::NotANumber)));
+    }
+
+    #[test]
     fn the_sign_of_zero_is_a_bit_and_no_distance() {
         let zero = apart(&[0.0], &[-0.0], Tolerance::default());
         assert_eq!(zero, Apart { is_same: false, agrees: false, ulp: Some(0), relative: 0.0 });
@@ -197,6 +209,11 @@ mod tests {
         assert_eq!((apart.is_same, apart.ulp), (false, Some(0)));
         // The difference of the small parts is exact to their rounding, 2⁻⁵³ of 3e-18.
         assert!(support::relative(apart.relative, 1e-18) < 1e-13);
+        // A sum and its greater part are apart by the other one.
+        for (a, b) in [(a, Number::of(0.1)), (Number::of(0.1), a)] {
+            let apart = Apart::of(&[a], &[b], Tolerance::default());
+            assert!(support::relative(apart.relative, 3e-17) < 1e-13, "{apart:?}");
+        }
         // However it is divided into two, and a double is a sum without a second part.
         assert!(Number::sum(3e-18, 0.1).is_same(a));
         assert!(Number::sum(0.1, 0.0).is_same(Number::of(0.1)));
