@@ -6,13 +6,16 @@ use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 
 /// The picture.
 pub fn picture() -> Picture {
-    let colours = [Colour::Black, Colour::Blue, Colour::Orange, Colour::Green];
-    let styles = [Style::Solid(2.4), Style::Solid(1.8), Style::Dashed(1.8), Style::Solid(1.8)];
-    let frames = in_other_frames();
-    let line = |(((name, nodes), colour), style): (((&str, Vec<(f64, f64)>), Colour), Style)| {
+    let looks = [
+        (Colour::Black, Style::Solid(2.4)),
+        (Colour::Blue, Style::Solid(1.8)),
+        (Colour::Orange, Style::Dashed(1.8)),
+        (Colour::Green, Style::Solid(1.8)),
+    ];
+    let lines = in_other_frames().into_iter().zip(looks).map(|((name, nodes), (colour, style))| {
         let nodes = nodes.into_iter().map(|(x, y)| (1e3 * x, 1e3 * y));
         Series::new(name, colour, style, nodes.collect())
-    };
+    });
     Picture {
         id: "frames".into(),
         section: Section::Figures,
@@ -28,7 +31,7 @@ pub fn picture() -> Picture {
             title: "the primary fibre where the experiment is moved".into(),
             x: Axis::new("x, mm", -60.0, 60.0, 20.0),
             y: Axis::new("y, mm", -10.0, 50.0, 10.0),
-            series: frames.into_iter().zip(colours).zip(styles).map(line).collect(),
+            series: lines.collect(),
             width: 760.0,
         }]),
     }
