@@ -63,6 +63,7 @@ mod tests {
         let [library, judges, coverage, fuzz] = stored.as_slice() else { panic!("{stored:?}") };
         assert_eq!(number_of(library, "unnoticed without a reason"), 0);
         for mutants in [library, judges] {
+            // Each has come to one end.
             let ends =
                 ["caught", "out of time", "not compiled", "survived", "not reached", "not tried"];
             let sum: u64 = ends.map(|end| number_of(mutants, end)).iter().sum();

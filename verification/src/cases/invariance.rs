@@ -60,10 +60,10 @@ fn distance(a: &Marched, b: &Marched, map: impl Fn(f64, f64) -> (f64, f64)) -> f
     }) / dx
 }
 
-/// Turned by 0.613 rad.
-fn turn(x: f64, y: f64) -> (f64, f64) {
-    let (cos, sin) = (Number::cos(0.613_f64), Number::sin(0.613_f64));
-    (cos * x - sin * y, sin * x + cos * y)
+/// Turned by an angle, rad.
+fn turned_by(angle: f64) -> impl Fn(f64, f64) -> (f64, f64) {
+    let (cos, sin) = (Number::cos(angle), Number::sin(angle));
+    move |x, y| (cos * x - sin * y, sin * x + cos * y)
 }
 
 /// Mirrored in the plane of impact.
@@ -72,12 +72,11 @@ fn mirror(x: f64, y: f64) -> (f64, f64) {
 }
 
 fn rotation() -> Vec<Check> {
-    let (cos, sin) = (Number::cos(0.613_f64), Number::sin(0.613_f64));
-    let turn_back = move |x: f64, y: f64| (cos * x + sin * y, cos * y - sin * x);
     let turned = |scene: Scene| {
         let plain = marched(scene.clone());
-        let turned = marched_from(scene, Wavefront::Flagged, &|state| map_plane(state, turn));
-        distance(&plain, &turned, turn_back)
+        let turned =
+            marched_from(scene, Wavefront::Flagged, &|state| map_plane(state, turned_by(0.613)));
+        distance(&plain, &turned, turned_by(-0.613))
     };
     // As printed only the crossover changes; the constant projectile runs no (8).
     let printed = Scene { corrections: Corrections::NONE, ..shipped("fig3") };
@@ -177,7 +176,7 @@ pub fn in_other_frames() -> Vec<(&'static str, Vec<(f64, f64)>)> {
         |prepare: &dyn Fn(&mut State<f64>)| marched_from(kinked(), Wavefront::Flagged, prepare);
     let frames = [
         ("as the scene has it", from(&|_| {})),
-        ("turned by 0.613 rad", from(&|state| map_plane(state, turn))),
+        ("turned by 0.613 rad", from(&|state| map_plane(state, turned_by(0.613)))),
         ("mirrored", from(&|state| map_plane(state, mirror))),
         ("carried along at 136 m/s", carried_along(kinked())),
     ];

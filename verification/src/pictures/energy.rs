@@ -2,7 +2,7 @@
 
 use crossfibre::scene::Strain;
 
-use super::history::{History, UNTIL, along, between, fig3, history};
+use super::history::{History, along, fig3, history, time_axis};
 use super::{Picture, Section};
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 
@@ -50,7 +50,7 @@ fn components(history: &History) -> Panel {
     let most = put_in.iter().fold(0.0_f64, |most, &(_, energy)| most.max(energy));
     Panel {
         title: "kinetic and stored, one on the other".into(),
-        x: Axis::new("time after impact, µs", 0.0, 1e6 * UNTIL, 15.0),
+        x: time_axis(),
         y: Axis::from_zero("energy, J", 1.08 * most),
         series: vec![
             Series::new("stored", Colour::Amber, Style::Area, between(&kinetic, &both)),
@@ -61,12 +61,17 @@ fn components(history: &History) -> Panel {
     }
 }
 
+/// The area between two lines over the same times.
+fn between(low: &[(f64, f64)], high: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    high.iter().chain(low.iter().rev()).copied().collect()
+}
+
 /// Residuals over the energy put in.
 fn residuals(literal: &History, engineering: &History) -> Panel {
     let off = |history: &History| along(history, |b| b.energy.relative_residual().abs());
     Panel {
         title: "residual over the energy put in".into(),
-        x: Axis::new("time after impact, µs", 0.0, 1e6 * UNTIL, 15.0),
+        x: time_axis(),
         y: Axis::logarithmic("|residual|, of the energy put in", 1e-6, 1e-1),
         series: vec![
             Series::new("strain of (4)", Colour::Blue, Style::Solid(1.6), off(literal)),

@@ -9,9 +9,10 @@ use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use crate::cases::support::{measured_by, refined, shipped};
+use crate::plot::Axis;
 
 /// When the history ends, s: waves from the clamp have been back.
-pub const UNTIL: f64 = 90e-6;
+const UNTIL: f64 = 90e-6;
 
 /// Times that the paper's mesh is refined: 0.5 mm.
 pub const REFINED: usize = 4;
@@ -53,7 +54,7 @@ pub fn along(history: &[(f64, Balance)], of: impl Fn(&Balance) -> f64) -> Vec<(f
     history.iter().map(|(time, balance)| (1e6 * time, of(balance))).collect()
 }
 
-/// The area between two lines over the same times.
-pub fn between(low: &[(f64, f64)], high: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    high.iter().chain(low.iter().rev()).copied().collect()
+/// The axis of the times.
+pub fn time_axis() -> Axis {
+    Axis::new("time after impact, µs", 0.0, 1e6 * UNTIL, 15.0)
 }

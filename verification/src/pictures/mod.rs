@@ -92,19 +92,28 @@ pub fn of_case(case: &str) -> Vec<String> {
 
 /// Every picture, in the order of the report.
 pub fn all() -> Vec<Picture> {
-    let mut pictures: Vec<Picture> = stored::PICTURES.iter().map(stored::Stored::picture).collect();
-    let after = pictures.iter().position(|p| p.id == "motion").map_or(pictures.len(), |at| at + 1);
-    let drawn = [
-        step::picture(),
-        energy::picture(),
-        momentum::picture(),
-        frames::picture(),
-        laws::picture(),
-    ];
-    pictures.splice(after..after, drawn);
-    let after = pictures.iter().position(|p| p.id == "time").map_or(pictures.len(), |at| at + 1);
-    pictures.insert(after, rounding::picture());
+    let mut pictures = vec![];
+    for picture in stored::PICTURES.iter().map(stored::Stored::picture) {
+        let drawn = drawn_after(&picture.id);
+        pictures.push(picture);
+        pictures.extend(drawn);
+    }
     pictures
+}
+
+/// The pictures that are drawn with the record and stand after a stored one.
+fn drawn_after(id: &str) -> Vec<Picture> {
+    match id {
+        "motion" => vec![
+            step::picture(),
+            energy::picture(),
+            momentum::picture(),
+            frames::picture(),
+            laws::picture(),
+        ],
+        "time" => vec![rounding::picture()],
+        _ => vec![],
+    }
 }
 
 #[cfg(test)]

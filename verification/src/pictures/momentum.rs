@@ -1,9 +1,10 @@
 //! Where the momentum of Fig. 3 comes from, and what the printed coupling adds to it.
 
+use crossfibre::balance::Balance;
 use crossfibre::errata::Corrections;
 use crossfibre::scene::{Scene, Strain};
 
-use super::history::{History, UNTIL, along, fig3, history};
+use super::history::{History, along, fig3, history, time_axis};
 use super::{Picture, Section};
 use crate::plot::{Axis, Colour, Panel, Series, Style, svg};
 
@@ -35,7 +36,7 @@ pub fn picture() -> Picture {
 }
 
 /// What is missing or too much, of the impulse of the drive.
-fn off(balance: &crossfibre::balance::Balance) -> f64 {
+fn off(balance: &Balance) -> f64 {
     (balance.momentum.residual / balance.momentum.drive).abs()
 }
 
@@ -53,7 +54,7 @@ fn given(corrected: &History, printed: &History) -> Panel {
     let most = points.fold(0.0_f64, |most, &(_, momentum)| most.max(momentum));
     Panel {
         title: "momentum of the fibres, and the impulse given".into(),
-        x: Axis::new("time after impact, µs", 0.0, 1e6 * UNTIL, 15.0),
+        x: time_axis(),
         y: Axis::from_zero("momentum, kg m/s", 1.08 * most),
         series: lines.into(),
         width: 560.0,
@@ -66,7 +67,7 @@ fn residuals(corrected: &History, printed: &History) -> Panel {
     };
     Panel {
         title: "residual over the drive's impulse".into(),
-        x: Axis::new("time after impact, µs", 0.0, 1e6 * UNTIL, 15.0),
+        x: time_axis(),
         y: Axis::logarithmic("|residual|, of the impulse put in", LEAST, 1.0),
         series: vec![
             line("corrected", Colour::Blue, corrected),
