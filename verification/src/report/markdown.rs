@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::cases::{HEAD_ROOM, Verdict};
 use crate::claims::Finding;
 use crate::ledger_effects::{CrossoverRow, Effects};
-use crate::record::{CheckRecord, Record};
+use crate::record::{CaseRecord, CheckRecord, Record};
 use crate::report::words::{count, equations, head_room, line, visible};
 use crate::sensitivity::{judge::judge, page};
 
@@ -191,11 +191,18 @@ fn checks(out: &mut String, record: &Record) {
     );
     put!(out, "|---|---|---|---|---|---|---|---|---|");
     for case in &record.cases {
-        for check in &case.checks {
-            check_row(out, &cell(&case.id), check);
-        }
+        out.push_str(&rows(case));
     }
     put!(out, "");
+}
+
+/// The checks of a case: lines of the table of every check.
+pub fn rows(case: &CaseRecord) -> String {
+    let mut out = String::new();
+    for check in &case.checks {
+        check_row(&mut out, &cell(&case.id), check);
+    }
+    out
 }
 
 fn check_row(out: &mut String, case: &str, record: &CheckRecord) {
