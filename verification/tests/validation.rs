@@ -1,14 +1,20 @@
-//! The checked-in VALIDATION.md is that of today, part by part: what has changed is named by a test of its
-//! own. That it holds nothing else, and in this order, is a test of `verify`.
+//! The checked-in VALIDATION.md is that of today, part by part, and each check fails with the faults that
+//! the checked-in kill matrix says it notices: what has changed is named by a test of its own. That
+//! VALIDATION.md holds nothing else, and in this order, is a test of `verify`.
 
 #![allow(clippy::unwrap_used)] // a test may
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use crossfibre_verification::cases::{self, Case};
 use crossfibre_verification::record::{Record, run_cases};
 use crossfibre_verification::report::markdown;
+use crossfibre_verification::sensitivity::matrix::{Matrix, Row};
+use crossfibre_verification::sensitivity::one::ask;
+use crossfibre_verification::sensitivity::stored::stored;
 
 fn checked_in() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../VALIDATION.md");
@@ -38,103 +44,181 @@ fn is_as_before(id: &str) {
     holds(&rows);
 }
 
-/// A test for each case: parts of its name, and the name.
+/// The faults of the stored kill matrix that are asked so that each check of a case fails with one of them. One
+/// that stops the case, so that all its checks count as failed, only where there is no other.
+fn faults_for(matrix: &'static Matrix, id: &str) -> Vec<&'static Row> {
+    let of_case = |check: &usize| matrix.checks[*check].case == id;
+    let mut left: BTreeSet<usize> = (0..matrix.checks.len()).filter(of_case).collect();
+    assert!(!left.is_empty(), "docs/sensitivity has no check of {id}");
+    let mut chosen = vec![];
+    while !left.is_empty() {
+        let noticed = |row: &Row| matrix.noticing(row).filter(|check| left.contains(check)).count();
+        let most = |stops: bool| {
+            let some =
+                matrix.faults.iter().filter(|row| row.stops(id) == stops && noticed(row) > 0);
+            some.max_by_key(|row| noticed(row))
+        };
+        let row = most(false).or_else(|| most(true)).expect("each check notices some fault");
+        matrix.noticing(row).for_each(|check| {
+            left.remove(&check);
+        });
+        chosen.push(row);
+    }
+    chosen
+}
+
+/// Runs a case with faults planted, a process for each: its checks fail and stand as the matrix says.
+fn can_fail(id: &str) {
+    let matrix = stored();
+    for row in faults_for(matrix, id) {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_crossfibre"));
+        process.args(["verify", "--plant", &row.id, "--filter", id]);
+        let of_name = cases::all().iter().filter(|case| case.id.contains(id)).count();
+        let said = ask(&mut process, of_name).unwrap();
+        let said = said.iter().find(|said| said.case == id);
+        assert_eq!(said.is_none(), row.stops(id), "whether `{}` stops it", row.id);
+        let Some(said) = said else { continue };
+        let noticing: Vec<usize> = matrix.noticing(row).collect();
+        for (k, check) in matrix.checks.iter().enumerate().filter(|(_, check)| check.case == id) {
+            assert_eq!(
+                said.stands(&check.claim),
+                !noticing.contains(&k),
+                "with `{}` planted: {}\nif that is meant, measure the matrix again by `crossfibre verify \
+                 --sensitivity --quick --out docs/sensitivity`, read what has changed, and commit it",
+                row.id,
+                check.claim
+            );
+        }
+    }
+}
+
+/// Tests for each case, by parts of its name, and the name. The matrix is of the cases that are quick.
 macro_rules! each {
-    ($($group:ident { $($name:ident $id:literal)* })*) => {
+    ($($group:ident { $($name:ident $id:literal $($slow:ident)?,)* })*) => {
         $(mod $group {
-            $(#[test]
-            fn $name() {
-                super::is_as_before($id);
+            $(mod $name {
+                #[test]
+                fn is_as_before() {
+                    crate::is_as_before($id);
+                }
+
+                each!(can_fail $id $($slow)?);
             })*
         })*
 
         const EACH: &[&str] = &[$($($id),*),*];
     };
+    (can_fail $id:literal slow) => {};
+    (can_fail $id:literal) => {
+        #[test]
+        fn can_fail() {
+            crate::can_fail($id);
+        }
+    };
 }
 
 each! {
-    by_hand { fibre "by-hand.fibre" crossover "by-hand.crossover" step "by-hand.step" }
-    smith { plateau "smith.plateau" sweep "smith.sweep" kink "smith.kink" density "smith.density" }
-    axial {
-        impact "axial.impact"
-        dispersion "axial.dispersion"
-        wave_equation "axial.wave-equation"
+    by_hand {
+        fibre "by-hand.fibre",
+        crossover "by-hand.crossover",
+        step "by-hand.step",
     }
-    courant { growth "courant.growth" impact "courant.impact" }
+    smith {
+        plateau "smith.plateau",
+        sweep "smith.sweep",
+        kink "smith.kink",
+        density "smith.density",
+    }
+    axial {
+        impact "axial.impact",
+        dispersion "axial.dispersion",
+        wave_equation "axial.wave-equation",
+    }
+    courant {
+        growth "courant.growth",
+        impact "courant.impact",
+    }
     stability {
-        uniform "stability.uniform"
-        laws "stability.laws"
-        projectile "stability.projectile"
-        crossover "stability.crossover"
+        uniform "stability.uniform",
+        laws "stability.laws",
+        projectile "stability.projectile",
+        crossover "stability.crossover",
     }
     crossover {
-        coefficients "crossover.coefficients"
-        unequal "crossover.unequal"
-        inertia "crossover.inertia"
-        power "crossover.power"
-        printed "crossover.printed"
+        coefficients "crossover.coefficients",
+        unequal "crossover.unequal",
+        inertia "crossover.inertia",
+        power "crossover.power",
+        printed "crossover.printed",
     }
     projectile {
-        momentum "projectile.momentum"
-        limits "projectile.limits"
-        two_fibres "projectile.two-fibres"
+        momentum "projectile.momentum",
+        limits "projectile.limits",
+        two_fibres "projectile.two-fibres",
     }
     conservation {
-        engineering "energy.engineering"
-        incremental "energy.incremental"
-        kink "energy.kink"
-        printed "energy.printed"
-        momentum "momentum.fig3"
+        engineering "energy.engineering",
+        incremental "energy.incremental",
+        kink "energy.kink",
+        printed "energy.printed",
+        momentum "momentum.fig3",
     }
     identities {
-        both_at_origin "identity.both-at-origin"
-        free_sliding "identity.free-sliding"
-        wavefront_flags "identity.wavefront-flags"
-        causality "identity.causality"
+        both_at_origin "identity.both-at-origin",
+        free_sliding "identity.free-sliding",
+        wavefront_flags "identity.wavefront-flags",
+        causality "identity.causality",
     }
     invariance {
-        rotation "invariance.rotation"
-        reflection "invariance.reflection"
-        galilean "invariance.galilean"
-        scaling "invariance.scaling"
+        rotation "invariance.rotation",
+        reflection "invariance.reflection",
+        galilean "invariance.galilean",
+        scaling "invariance.scaling",
     }
     motion {
-        engineering "motion.engineering"
-        incremental "motion.incremental"
-        projectile "motion.projectile"
+        engineering "motion.engineering",
+        incremental "motion.incremental",
+        projectile "motion.projectile",
     }
     material {
-        softening "material.softening"
-        hardening "material.hardening"
-        inflection "material.inflection"
-        rod "material.rod"
-        arms "material.arms"
-        stiff "material.stiff"
-        energy "material.energy"
-        slack "material.slack"
-        viscosity "material.viscosity"
-        viscosity_stress "material.viscosity-stress"
+        softening "material.softening",
+        hardening "material.hardening",
+        inflection "material.inflection",
+        rod "material.rod",
+        arms "material.arms",
+        stiff "material.stiff",
+        energy "material.energy",
+        slack "material.slack",
+        viscosity "material.viscosity",
+        viscosity_stress "material.viscosity-stress",
     }
-    conformance { rewrites "conformance.rewrites" faults "conformance.faults" }
-    golden { vectors "golden.vectors" }
+    conformance {
+        rewrites "conformance.rewrites" slow,
+        faults "conformance.faults",
+    }
+    golden {
+        vectors "golden.vectors",
+    }
     precision {
-        orders "precision.orders"
-        cost "precision.cost"
-        gci "precision.gci"
-        split "precision.split"
-        record "precision.record"
+        orders "precision.orders" slow,
+        cost "precision.cost" slow,
+        gci "precision.gci" slow,
+        split "precision.split" slow,
+        record "precision.record" slow,
     }
-    record { stored "record.stored" }
+    record {
+        stored "record.stored",
+    }
     extreme {
-        velocity "extreme.velocity"
-        rounding "extreme.rounding"
-        ratios "extreme.ratios"
-        crossover "extreme.crossover"
-        mesh "extreme.mesh"
-        long "extreme.long"
-        projectile "extreme.projectile"
-        laws "extreme.laws"
-        scaling "extreme.scaling"
+        velocity "extreme.velocity",
+        rounding "extreme.rounding",
+        ratios "extreme.ratios",
+        crossover "extreme.crossover",
+        mesh "extreme.mesh",
+        long "extreme.long",
+        projectile "extreme.projectile",
+        laws "extreme.laws",
+        scaling "extreme.scaling",
     }
 }
 
