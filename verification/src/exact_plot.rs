@@ -91,3 +91,92 @@ fn ways(file: &ExactFile, motion: &Motion, fibre: Fibre, length: f64) -> Panel {
         width: 600.0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::{measured_by, shipped};
+
+    /// Fig. 3 where nothing is but approximate.
+    fn fig3() -> (Scene, ExactFile, Motion) {
+        let scene = measured_by(Strain::Engineering, shipped("fig3"));
+        let (file, motion) = ExactFile::of(&scene, 28.7e-6);
+        (scene, file, motion)
+    }
+
+    #[test]
+    fn each_fibre_has_its_strain_and_its_fronts() {
+        let (mut scene, file, motion) = fig3();
+        let panels = [
+            "primary at 28.7000 µs",
+            "fronts on the primary",
+            "secondary at 28.7000 µs",
+            "fronts on the secondary",
+        ];
+        let drawn = |scene: &Scene| {
+            let text = picture(scene, &file, &motion);
+            assert!(text.starts_with("<svg") && text.contains("strain (λ − 1), %"), "{text}");
+            panels.map(|title| text.contains(title))
+        };
+        assert_eq!(drawn(&scene), [true; 4]);
+        scene.secondary = None;
+        assert_eq!(drawn(&scene), [true, true, false, false]);
+    }
+
+    /// Numbers with few binary digits, so that none is rounded.
+    #[test]
+    fn a_profile_is_of_millimetres_and_per_cent_and_steps_from_piece_to_piece() {
+        let (_, file, _) = fig3();
+        let piece = |from, to, strain| Piece { from, to, strain, ..file.primary[0].clone() };
+        let pieces = [piece(0.0, 0.125, 0.015_625), piece(0.125, 0.25, 0.007_812_5)];
+        let Panel { x, y, series, .. } = profile(&file, Fibre::Primary, &pieces, 0.25);
+        assert_eq!((x.from, x.to, y.from), (0.0, 250.0, 0.0));
+        // A tenth beyond the greatest strain.
+        assert!((y.to / 1.5625 - 1.1).abs() < 1e-12, "{y:?}");
+        let outline = [(0.0, 1.5625), (125.0, 1.5625), (125.0, 0.781_25), (250.0, 0.781_25)];
+        assert_eq!(series[0].points, outline);
+    }
+
+    #[test]
+    fn a_front_is_drawn_among_those_of_its_fibre_family_and_strength() {
+        let (_, mut file, mut motion) = fig3();
+        file.time = 0.25;
+        // The strongest has 8, on the other fibre. At the end of a class a front is of the weaker one.
+        let track = |fibre, family, strength, x| {
+            let (from, to) = ((x, 0.125), (0.5, 0.25));
+            Track { fibre, family, from, to, strength }
+        };
+        let [primary, secondary] = [Fibre::Primary, Fibre::Secondary];
+        let [longitudinal, kink] = [Family::Longitudinal, Family::Kink];
+        motion.tracks = vec![
+            track(secondary, longitudinal, 8.0, 0.0),
+            track(primary, longitudinal, 4.0, 0.0625),
+            track(primary, longitudinal, 0.8, 0.125),
+            track(primary, longitudinal, 0.08, 0.25),
+            track(primary, longitudinal, 0.0079, 0.375),
+            track(primary, kink, 6.0, 0.5),
+            track(primary, kink, 0.04, 0.625),
+        ];
+        let Panel { x, y, series, .. } = ways(&file, &motion, primary, 0.5);
+        assert_eq!((x.to, y.to), (500.0, 250e3));
+        let starts = |points: &[(f64, f64)]| -> Vec<f64> {
+            let ways = points.chunks(3).map(|way| {
+                assert_eq!((way[0].1, way[1]), (125e3, (500.0, 250e3)));
+                assert!(way[2].0.is_nan() && way[2].1.is_nan());
+                way[0].0
+            });
+            ways.collect()
+        };
+        let drawn: Vec<_> = series.iter().map(|series| starts(&series.points)).collect();
+        // Longitudinal ones over 10 %, 1 % and 0.1 % of the strongest, then kinks.
+        let expected = [vec![62.5], vec![125.0], vec![250.0], vec![500.0], vec![], vec![625.0]];
+        assert_eq!(drawn, expected);
+    }
+
+    #[test]
+    fn a_fibre_that_no_wave_has_come_to_is_drawn_too() {
+        let (scene, ..) = fig3();
+        let (file, motion) = ExactFile::of(&scene, 1e-6);
+        assert!(picture(&scene, &file, &motion).contains("secondary at 1.0000 µs"));
+    }
+}

@@ -44,8 +44,9 @@ impl Axis {
     }
 
     /// A linear axis from 0 to a positive number, with some five to ten ticks at 1, 2 or 5 times a
-    /// power of ten.
+    /// power of ten. Where all that is to be drawn is nothing, or has no size, it ends at 1.
     pub fn from_zero(label: impl Into<String>, to: f64) -> Self {
+        let to = if to > 0.0 && to.is_finite() { to } else { 1.0 };
         let mut step = 1.0;
         while step > to / 6.0 {
             step /= 10.0;
@@ -178,6 +179,27 @@ mod tests {
     fn multiples_of_the_step_are_named_to_the_end() {
         assert_eq!(names(&Axis::new("R", -0.03, 0.08, 0.04)), ["0.00", "0.04", "0.08"]);
         assert_eq!(names(&Axis::new("x", 0.0, 0.3, 0.1)), ["0.0", "0.1", "0.2", "0.3"]);
+    }
+
+    #[test]
+    fn ticks_stand_in_proportion_between_the_ends() {
+        let ticks = Axis::new("angle, °", 20.0, 60.0, 10.0).ticks();
+        // Absolute, 1e-8: the upper end is drawn 1e-9 of the axis higher.
+        let apart =
+            ticks.iter().zip(0_u32..).map(|((share, _), k)| (share - 0.25 * f64::from(k)).abs());
+        assert!(ticks.len() == 5 && apart.fold(0.0, f64::max) < 1e-8, "{ticks:?}");
+    }
+
+    #[test]
+    fn a_step_is_the_widest_with_five_ticks_beyond_the_first() {
+        // At 60 ten fit six times, at 25 five and at 10 two fit five times, and count.
+        for (to, step) in [(6.0, 1.0), (60.0, 10.0), (25.0, 5.0), (10.0, 2.0), (7.0, 1.0)] {
+            assert_eq!(Axis::from_zero("x", to), Axis::new("x", 0.0, to, step));
+        }
+        assert_eq!(Axis::around("x", 20.0, 45.0), Axis::new("x", 20.0, 45.0, 5.0));
+        for nothing in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(Axis::from_zero("x", nothing), Axis::from_zero("x", 1.0));
+        }
     }
 
     #[test]

@@ -210,6 +210,10 @@ mod tests {
             [-0.3, 0.0, 0.07, 1.01, 2.0, 7.3, f64::INFINITY].map(|v| map.level(v).unwrap());
         // 0.07 / 2 · 32 = 1.12, 1.01 / 2 · 32 = 16.16.
         assert_eq!(levels, [0, 0, 1, 16, 31, 31, 31]);
+        // So short an axis is drawn to its end and no farther: a billionth of it is no digit of the end.
+        let value = Axis::new("strain", 1.0, 1.0 + 1e-8, 1e-9);
+        let short = Map { value, ..map };
+        assert_eq!(short.level(1.0 + 1e-8), Some(31));
     }
 
     #[test]

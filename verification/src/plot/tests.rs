@@ -35,6 +35,7 @@ fn a_coordinate_that_is_no_number_breaks_the_line() {
     assert_eq!(strokes(around(0.5)), 1);
     assert_eq!(strokes(around(-7.5e300)), 1);
     assert_eq!(strokes(around(f64::NAN)), 2);
+    assert_eq!(strokes(around(f64::INFINITY)), 2);
 }
 
 #[test]
@@ -47,27 +48,81 @@ fn what_is_not_positive_breaks_a_line_on_a_logarithmic_axis() {
     assert_eq!((strokes(0.5), strokes(0.0), strokes(-0.5)), (1, 2, 2));
 }
 
+/// A number that an element has by a name.
+fn attribute(of: &str, name: &str) -> f64 {
+    let text = of.split(&format!(" {name}=\"")).nth(1).unwrap();
+    text.split('"').next().unwrap().parse().unwrap()
+}
+
+/// Left end, upper end, width and height of what the axes enclose.
+fn enclosed(svg: &str) -> [f64; 4] {
+    let clip = svg.lines().find(|line| line.contains("<clipPath")).unwrap();
+    ["x", "y", "width", "height"].map(|name| attribute(clip, name))
+}
+
+/// The numbers of a path.
+fn numbers(path: &str) -> Vec<f64> {
+    let d = path.split('"').nth(1).unwrap();
+    let each = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ');
+    each.filter(|n| !n.is_empty()).map(|n| n.parse().unwrap()).collect()
+}
+
+/// What is drawn of a series in amber, and its sample in the legend.
+fn drawn_and_sample(svg: &str) -> [Vec<f64>; 2] {
+    let in_amber = |line: &&str| line.contains("<path") && line.contains("fill=\"#e69f00\"");
+    let paths: Vec<&str> = svg.lines().filter(in_amber).collect();
+    assert_eq!(paths.len(), 2);
+    [numbers(paths[0]), numbers(paths[1])]
+}
+
+fn assert_near(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+    // Largest deviation, 0.021 pixels: the hundredths of both, and of ends that differences are of.
+    let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart < 0.021, "{found:?} {expected:?}");
+}
+
+/// A cell from 6 to 12 of 30 to the right and from 0.5 to 1.25 of 2 upward.
+#[test]
+fn a_cell_lies_around_its_point() {
+    let style = Style::Cells { width: 6.0, height: 0.75 };
+    let series = vec![Series::new("stable", Colour::Amber, style, vec![(9.0, 0.875)])];
+    let svg = svg(&[Panel { series, ..panel(vec![]) }]);
+    let [left, top, width, height] = enclosed(&svg);
+    let [cell, sample] = drawn_and_sample(&svg);
+    let start = left + 0.2 * width;
+    assert_near(
+        &cell,
+        &[start, top + 0.375 * height, left + 0.4 * width, top + 0.75 * height, start],
+    );
+    // The sample is 34 wide, and of 0.7 of a line of 22 in height, below the axes.
+    assert_near(&[sample[2] - sample[0], sample[3] - sample[1]], &[34.0, 15.4]);
+    assert!(sample[1] > top + height && sample[0] > 0.0 && sample[4] == sample[0], "{sample:?}");
+}
+
+/// A triangle whose corners are shares of the axes known by hand.
+#[test]
+fn an_area_is_what_its_points_go_round() {
+    let points = vec![(3.0, 0.5), (15.0, 0.5), (24.0, 1.5)];
+    let series = vec![Series::new("between", Colour::Amber, Style::Area, points)];
+    let svg = svg(&[Panel { series, ..panel(vec![]) }]);
+    let [left, top, width, height] = enclosed(&svg);
+    let [area, sample] = drawn_and_sample(&svg);
+    let at = |right: f64, up: f64| [left + right * width, top + (1.0 - up) * height];
+    assert_near(&area, &[at(0.1, 0.25), at(0.5, 0.25), at(0.8, 0.75)].concat());
+    // The sample is 34 wide, and 0.6 of 0.7 of a line of 22 in height.
+    let [x, y] = [sample[0], sample[1]];
+    assert_near(&sample, &[x, y, x + 34.0, y, x + 34.0, y + 9.24, x, y + 9.24]);
+    assert!(y > top + height, "{sample:?}");
+}
+
 /// The ends of a line in the corners of the axes are on the ends of the drawn axes.
 #[test]
 fn the_ends_of_the_axes_are_where_kuva_draws_them() {
     let x = Axis::logarithmic("work", 2e3, 7e6);
     let drawn = svg(&[Panel { x, ..panel(vec![(2e3, 0.0), (7e6, 2.0)]) }]);
-    let attribute = |of: &str, name: &str| -> f64 {
-        let text = of.split(&format!(" {name}=\"")).nth(1).unwrap();
-        text.split('"').next().unwrap().parse().unwrap()
-    };
-    let clip = drawn.lines().find(|line| line.contains("<clipPath")).unwrap();
-    let [left, top, width, height] =
-        ["x", "y", "width", "height"].map(|name| attribute(clip, name));
-    let path = drawn.lines().find(|line| line.contains("stroke-dasharray")).unwrap();
-    let d: Vec<f64> = path
-        .split('"')
-        .nth(1)
-        .unwrap()
-        .split(['M', 'L', ' '])
-        .skip(1)
-        .map(|n| n.parse().unwrap())
-        .collect();
+    let [left, top, width, height] = enclosed(&drawn);
+    let d = numbers(drawn.lines().find(|line| line.contains("stroke-dasharray")).unwrap());
     // Largest deviation, 0.011 pixels: the hundredths of both.
     let apart = [left - d[0], top + height - d[1], left + width - d[2], top - d[3]];
     assert!(apart.iter().all(|x| x.abs() < 0.011), "{apart:?}");
