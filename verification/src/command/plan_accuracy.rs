@@ -107,3 +107,33 @@ fn name(quantity: Quantity) -> &'static str {
         other => other.label(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    #[test]
+    fn a_floor_is_told_where_it_is_more_than_a_tenth_of_what_is_wanted() {
+        let scene = shipped("fig3");
+        let told = |floor| {
+            let (trials, quantities) = (vec![], vec![]);
+            let accuracy =
+                Accuracy { wanted: 1e-2, against: Against::Exact, floor, trials, quantities };
+            Table { scene: &scene, accuracy: &accuracy }.to_string().contains("is known to 3.7e")
+        };
+        assert_eq!([None, Some(3.7e-4), Some(3.7e-3)].map(told), [false, false, true]);
+    }
+
+    #[test]
+    fn what_a_picture_has_a_letter_for_is_named_in_words() {
+        for (quantity, words) in [
+            (Quantity::Reflection, "R, reflection"),
+            (Quantity::Transmission, "T, transmission"),
+            (Quantity::Diversion, "D, diversion of one arm"),
+            (Quantity::Kink, "position of the kink"),
+        ] {
+            assert_eq!(name(quantity), words);
+        }
+    }
+}

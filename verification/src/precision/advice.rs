@@ -166,8 +166,10 @@ fn ladder(scene: &Scene) -> Vec<f64> {
     factors.reverse();
     factors.push(1.0);
     factors.extend((1..=DOUBLINGS).map(|k| 2.0_f64.powi(k)).take_while(|&f| is_small(f)));
+    // Of the coarsest some are left out, never the scene's own.
+    let own = factors.iter().position(|&factor| factor == 1.0).unwrap_or(0);
     let spare = factors.len().saturating_sub(DOUBLINGS as usize);
-    factors.split_off(spare)
+    factors.split_off(spare.min(own))
 }
 
 /// The scene with so many times as many elements on each fibre.
@@ -318,10 +320,20 @@ mod tests {
     use super::*;
     use crate::cases::support::{measured_by, shipped};
     use crate::precision::{Problem, Variant, run_of as study_run};
+    use crossfibre::number::Number;
     use crossfibre::scene::Strain;
 
     fn of(accuracy: &Accuracy, quantity: Quantity) -> &Needs {
         &accuracy.quantities.iter().find(|advice| advice.quantity == quantity).unwrap().needs
+    }
+
+    /// Seven refinements fit, and none of the coarser meshes is left.
+    #[test]
+    fn a_small_scene_keeps_its_own_mesh() {
+        let mut scene = shipped("single-400");
+        scene.primary.elements = 30;
+        assert_eq!(ladder(&scene), [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0]);
+        assert!(!accuracy(&scene, 0.0137).quantities.is_empty());
     }
 
     /// What is advised is held against a run of just that mesh, made here.
@@ -389,5 +401,91 @@ mod tests {
         assert!(matches!(advised.against, Against::Limit { .. }));
         let needs = of(&advised, Quantity::SecondaryMean);
         assert!(matches!(needs, Needs::Run { found, .. } if *found <= 0.0137), "{needs:?}");
+    }
+
+    /// Work goes with the square of the elements, errors by the law, and a fiftieth is added.
+    #[test]
+    fn the_law_leads_on_from_the_finest_mesh_of_the_ladder() {
+        let scene = measured_by(Strain::Engineering, shipped("single-400"));
+        let mut trials = Trials { scene: &scene, runs: Vec::new(), bar: ProgressBar::hidden() };
+        for factor in ladder(&scene) {
+            trials.add(factor);
+        }
+        assert_eq!(trials.own(), &found(&run_of(&scene, 1.0)));
+        let finest = trials.runs[trials.runs.len() - 1].0.scene.primary.elements;
+        let (errors, _) = trials.errors(Quantity::StrainL1);
+        let known = law(&errors).unwrap();
+        let (spacing, error) = *errors.last().unwrap();
+        let error = error.abs();
+        let mut needs = |wanted| advice(&mut trials, Quantity::StrainL1, wanted).unwrap().needs;
+
+        let of_the_ladder = needs(error);
+        let Needs::Run { elements, found, by_the_law: false, .. } = of_the_ladder else {
+            panic!("{of_the_ladder:?}")
+        };
+        assert_eq!((elements, found.to_bits()), (finest, error.to_bits()));
+
+        // The law may say a little more or less of the finest mesh than its error is.
+        let times_finer = |wanted: f64| {
+            Number::exp(Number::ln(error.max(known.at(spacing)) / wanted) / known.order)
+        };
+        let wanted = 1e-4;
+        let too_long = needs(wanted);
+        let Needs::TooLong { elements, element_steps, beyond } = too_long else {
+            panic!("{too_long:?}")
+        };
+        // Roundings; elements are whole.
+        let near = |a: f64, b: f64, by: f64| assert!((a / b - 1.0).abs() < by, "{too_long:?} {b}");
+        near(beyond, times_finer(wanted), 1e-9);
+        let whole = 1.0 / elements;
+        near(elements, 1.02 * times_finer(wanted) * finest as f64, 1e-9 + whole);
+        let more = elements / scene.primary.elements as f64;
+        near(element_steps, Plan::of(&scene).element_steps * more * more, 1e-9 + 2.0 * whole);
+
+        let never = needs(1e-7);
+        let Needs::Unknown { error: said, elements } = never else { panic!("{never:?}") };
+        assert_eq!((elements, said.to_bits()), (finest, error.to_bits()));
+
+        let wanted = 0.8 * error;
+        let led = needs(wanted);
+        let Needs::Run { elements, found, by_the_law: true, .. } = led else { panic!("{led:?}") };
+        assert!(found <= wanted && finest < elements && elements < 2 * finest, "{led:?}");
+    }
+
+    /// Of 128 elements down to 16; a second of motion leaves no room for a finer mesh.
+    #[test]
+    fn a_ladder_goes_down_to_sixteen_elements() {
+        let mut scene = shipped("single-400");
+        scene.primary.elements = 128;
+        scene.duration = 1.0;
+        assert_eq!(ladder(&scene), [0.125, 0.25, 0.5, 1.0]);
+    }
+
+    /// Laws made up about the finest mesh, that say half of its error: one of order 1, and one so steep
+    /// that it asks for next to nothing.
+    #[test]
+    fn a_mesh_that_was_not_enough_leads_on_by_its_own_error_a_few_times() {
+        let scene = measured_by(Strain::Engineering, shipped("single-400"));
+        let mut trials = Trials { scene: &scene, runs: Vec::new(), bar: ProgressBar::hidden() };
+        for factor in [1.0, 2.0, 4.0] {
+            trials.add(factor);
+        }
+        let of = Quantity::StrainL1;
+        let (errors, _) = trials.errors(of);
+        let (finest, error) = (errors[2].0, errors[2].1.abs());
+        let made_up = |order: f64| {
+            let size = |k: f64| 0.5 * error * Number::exp(order * Number::ln(k));
+            let sizes = [1.02, 1.01, 1.0].map(|k| (k * finest, size(k)));
+            power_law(&sizes, LEVEL).unwrap()
+        };
+        let far = needs(&mut trials, of, error / 90.0, Some(made_up(1.0)));
+        let Needs::TooLong { beyond, .. } = far else { panic!("{far:?}") };
+        assert!((beyond / 90.0 - 1.0).abs() < 1e-6, "{beyond}");
+
+        let never = needs(&mut trials, of, 0.5 * error, Some(made_up(60.0)));
+        let finer = |elements: usize| (elements as f64 * 1.02 / 0.98).round() as usize;
+        let last = finer(finer(finer(4 * scene.primary.elements)));
+        let Needs::Unknown { elements, .. } = never else { panic!("{never:?}") };
+        assert_eq!((elements, trials.runs.len()), (last, 3 + ATTEMPTS));
     }
 }
