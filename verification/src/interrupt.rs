@@ -16,6 +16,14 @@ pub fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// The folders that were made for what is to be written, each before those that it is in.
+static MADE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Folders that are made now: if nothing is in them at an interrupt, they go as well.
+pub fn made(folders: Vec<PathBuf>) {
+    MADE.lock().unwrap_or_else(PoisonError::into_inner).extend(folders);
+}
+
 /// A temporary folder for what other programs are to read. It is gone when this is, or when the program
 /// is interrupted.
 #[derive(Debug)]
@@ -57,6 +65,10 @@ pub fn prepare() {
         for path in unfinished.iter() {
             // One that is gone is no trouble.
             let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+        }
+        for folder in MADE.lock().unwrap_or_else(PoisonError::into_inner).iter() {
+            // One that something is in stays.
+            let _ = fs::remove_dir(folder);
         }
         say("\ninterrupted");
         process::exit(Exit::Interrupted as i32);

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use tempfile::NamedTempFile;
 
-use crate::interrupt::unfinished;
+use crate::interrupt::{made, unfinished};
 
 /// Where output is to go, found fit to be written.
 #[derive(Debug)]
@@ -63,6 +63,8 @@ impl Destination {
 
 /// Makes a folder fit to be written to, if there is none: before the work whose outcome it is for.
 pub fn make_folder(folder: &Path) -> Result<()> {
+    let is_new = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
+    made(folder.ancestors().take_while(is_new).map(Path::to_owned).collect());
     fs::create_dir_all(folder)
         .with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
     tempfile::tempfile_in(folder)

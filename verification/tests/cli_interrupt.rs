@@ -90,10 +90,22 @@ fn an_interrupted_study_leaves_whole_points_and_goes_on_from_them() {
         let text = fs::read_to_string(points.join(name)).unwrap();
         assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok(), "{name}");
     }
-    assert_eq!(names(&folder.path().join("pictures")), [""; 0]);
+    assert!(!folder.path().join("pictures").exists());
     let mut again = start(folder.path(), &arguments);
     until(&mut again, || names(&points).len() > left.len());
     interrupted(again, Signal::INT);
+}
+
+/// Of the checks nothing is written before they are done; the folder that was there already stays.
+#[test]
+fn an_interrupted_verification_leaves_no_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("there")).unwrap();
+    let mut child = start(folder.path(), &["verify", "--out", "there/new/reports"]);
+    until(&mut child, || folder.path().join("there/new/reports").exists());
+    interrupted(child, Signal::INT);
+    assert_eq!(names(folder.path()), ["there"]);
+    assert_eq!(names(&folder.path().join("there")), [""; 0]);
 }
 
 /// The runs are those of the stored record, so that the study goes straight to its timings. Their folder
@@ -116,5 +128,5 @@ fn an_interrupted_timing_leaves_no_scratch_folder() {
     until(&mut child, || !names(&scratch).is_empty());
     interrupted(child, Signal::INT);
     assert_eq!(names(&scratch), [""; 0]);
-    assert_eq!(names(&folder.path().join("pictures")), [""; 0]);
+    assert!(!folder.path().join("pictures").exists());
 }
