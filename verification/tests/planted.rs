@@ -2,8 +2,13 @@
 
 #![allow(clippy::unwrap_used)] // a test may
 
+use std::process::Command;
+
+use assert_cmd::cargo::cargo_bin;
 use crossfibre_verification::cases;
 use crossfibre_verification::planted::{self, Refused};
+use crossfibre_verification::sensitivity::one::ask;
+use crossfibre_verification::sensitivity::stored::stored;
 
 /// (4) that adds its increment twice is not the law that Smith's relation is held against; a check of
 /// the seams themselves, not of the tolerance.
@@ -19,4 +24,43 @@ fn what_is_planted_fails_the_checks_and_stays() {
     assert!(troubles() > 0);
     assert_eq!(planted::plant("4-sign"), Err(Refused::Twice));
     assert_eq!(planted::now().unwrap().entry().id, "4-twice");
+}
+
+/// What is planted in each part of the program, and a quick case that notices it.
+const NOTICED: [(&str, &str); 15] = [
+    ("4-twice", "smith.plateau"),
+    ("march-one-step-less", "smith.plateau"),
+    ("march-flags-short", "by-hand.step"),
+    ("march-clamp-at-rest", "invariance.galilean"),
+    ("march-work-before", "courant.impact"),
+    ("material-linear-whole", "smith.plateau"),
+    ("material-viscoelastic-exact", "material.stiff"),
+    ("material-unchecked", "extreme.scaling"),
+    ("exact-motion-law", "motion.projectile"),
+    ("exact-motion-one-arm", "motion.engineering"),
+    ("exact-motion-slide-once", "motion.engineering"),
+    ("exact-motion-density", "motion.engineering"),
+    ("exact-motion-clamp", "motion.engineering"),
+    ("record-lost", "record.stored"),
+    ("rewrite-factored", "identity.free-sliding"),
+];
+
+/// If the checks of a case or a fault have changed on purpose, the matrix has to be measured again.
+#[test]
+fn what_is_planted_in_any_part_is_noticed_by_the_checks_that_the_stored_matrix_names() {
+    let matrix = stored();
+    for (id, case) in NOTICED {
+        let row = matrix.faults.iter().chain(&matrix.rewrites).find(|row| row.id == id).unwrap();
+        let is_of_case = |check: &usize| matrix.checks[*check].case == case;
+        let named: Vec<usize> = matrix.noticing(row).filter(is_of_case).collect();
+        let mut command = Command::new(cargo_bin!("crossfibre"));
+        let said = ask(command.args(["verify", "--plant", id, "--filter", case]), 1).unwrap();
+        let [said] = &said[..] else { panic!("{id}, {case}: {said:?}") };
+        let fallen: Vec<usize> = (0..matrix.checks.len())
+            .filter(is_of_case)
+            .filter(|&check| !said.stands(&matrix.checks[check].claim))
+            .collect();
+        assert!(!named.is_empty(), "{id}, {case}");
+        assert_eq!(fallen, named, "{id}, {case}");
+    }
 }

@@ -37,6 +37,8 @@ macro_rules! faults {
 }
 
 pub mod catalogue;
+#[cfg(test)]
+mod digests;
 pub mod edition;
 pub mod exact;
 pub mod march;

@@ -8,7 +8,7 @@ use crossfibre::scene::{Law, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use super::catalogue::find;
-use super::{Group, all, march, material, now, record, rewrites};
+use super::{Group, Refused, all, march, material, now, record, rewrites};
 use crate::cases::support::{SCENES, kinked, measured_by, shipped};
 use crate::golden::steps;
 use crate::precision::stored::stored;
@@ -38,10 +38,20 @@ fn an_unknown_name_is_refused_and_the_nearest_named() {
         "no fault is called `march-ix-stael`, did you mean `march-ix-stale`?"
     );
     assert_eq!(find("q").unwrap_err().to_string(), "no fault is called `q`");
+    assert_eq!(Refused::Twice.to_string(), "something has been planted before");
+}
+
+/// The words that the stored matrix has.
+#[test]
+fn every_part_is_called_by_its_name() {
+    let groups = [Group::Equation(17), Group::March, Group::Material, Group::Exact];
+    assert_eq!(groups.map(|g| g.to_string()), ["equation 17", "march", "material", "exact"]);
+    let others = [Group::Record, Group::Rewrite];
+    assert_eq!(others.map(|g| g.to_string()), ["record", "rewrite"]);
 }
 
 /// Marches in plain words, by fibres of this making.
-struct InPlainWords(Option<march::Wrong>, Option<material::Wrong>);
+pub(super) struct InPlainWords(pub(super) Option<march::Wrong>, pub(super) Option<material::Wrong>);
 
 impl Marcher for InPlainWords {
     fn at_impact(&self, scene: &Scene) -> State<f64> {
@@ -63,11 +73,11 @@ impl Marcher for InPlainWords {
     }
 }
 
-fn text(result: &RunResult) -> String {
+pub(super) fn text(result: &RunResult) -> String {
     serde_json::to_string(result).unwrap()
 }
 
-fn scenes() -> Vec<(String, Scene)> {
+pub(super) fn scenes() -> Vec<(String, Scene)> {
     let mut scenes = vec![("kinked".to_owned(), kinked())];
     for (name, _) in SCENES {
         for strain in [Strain::Incremental, Strain::Engineering] {
