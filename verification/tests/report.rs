@@ -3,22 +3,14 @@
 
 #![allow(clippy::unwrap_used)] // a test may
 
-use std::path::Path;
+mod cli_support;
 
+use cli_support::assert_snapshot_in;
 use crossfibre_verification::bits::fnv;
 use crossfibre_verification::pictures;
 use crossfibre_verification::precision::answer::wanted;
 use crossfibre_verification::record::{Build, Record, made_up};
 use crossfibre_verification::report::{self, html};
-
-/// Holds a text against `golden/report/<name>.snap`; `INSTA_UPDATE=always` writes it anew.
-fn assert_snapshot(name: &str, text: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/report"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, text));
-}
 
 /// Every verdict, every kind of bound, names that are hostile, and what fails.
 #[test]
@@ -35,11 +27,11 @@ fn the_files_of_a_made_up_record_are_as_they_were() {
     };
     for (name, text) in report::files(&record) {
         // An element a line, so that a difference can be read.
-        assert_snapshot(name, &text.replace("><", ">\n<"));
+        assert_snapshot_in("report", name, &text.replace("><", ">\n<"));
     }
     let passing = Record { build: Build::default(), ..made_up::passing() };
     for (name, text) in report::files(&passing) {
-        assert_snapshot(&format!("passing-{name}"), &text.replace("><", ">\n<"));
+        assert_snapshot_in("report", &format!("passing-{name}"), &text.replace("><", ">\n<"));
     }
 }
 
@@ -55,5 +47,5 @@ fn the_pictures_are_as_they_were_looked_at() {
     let moving = Record { motion: Some(pictures::motion::fig3()), ..made_up::passing() };
     let page = html::render(&Record { build: Build::default(), ..moving });
     lines += &format!("moving {:016x}\n", fnv(page.bytes()));
-    assert_snapshot("pictures", &lines);
+    assert_snapshot_in("report", "pictures", &lines);
 }

@@ -1,13 +1,18 @@
 //! The study `stability`: the committed tables and pictures are what the command computes.
 #![allow(clippy::unwrap_used)] // a test may
 
-use std::collections::BTreeSet;
+mod cli_support;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use cli_support::assert_snapshot_in;
+use crossfibre_verification::bits::fnv;
+use crossfibre_verification::stability::growth::{Growth, Shaken};
 use crossfibre_verification::stability::maps::{Map, maps};
-use crossfibre_verification::stability::rows::{Row, rows};
-use crossfibre_verification::stability::tasks::{compute, points};
+use crossfibre_verification::stability::rows::{Row, measure_name, rows};
+use crossfibre_verification::stability::tasks::{Found, SHAKEN, Task, compute, points, shakings};
 use crossfibre_verification::stability::{CELLS, LIMITS, Results, STUDY, cells, files, limits};
 use crossfibre_verification::sweep::{Places, Point, sweep};
 
@@ -27,7 +32,7 @@ fn is_part_of(table: &str, name: &str, head: &str) {
 }
 
 /// What is computed of some points.
-fn results(points: Vec<Point<crossfibre_verification::stability::tasks::Task>>) -> Results {
+fn results(points: Vec<Point<Task>>) -> Results {
     let values = points.iter().map(|point| compute(&point.parameters)).collect();
     Results::new(&points, values)
 }
@@ -60,6 +65,108 @@ fn some_of_the_committed_numbers_are_computed_anew() {
     is_part_of(&limits(&results, &rows), "limits.csv", LIMITS);
     let columns: Vec<(&Map, f64)> = maps.iter().map(|(map, x)| (map, *x)).collect();
     is_part_of(&cells(&results, &columns), "maps.csv", CELLS);
+}
+
+/// Numbers of no march: all that a page has words for is there.
+fn made_up(k: usize, task: &Task) -> Found {
+    let near_one = |of: usize| 0.4 + (k % of) as f64 / 16.0;
+    let cell = |(j, courant): (usize, &f64)| Growth {
+        rate: if *courant > near_one(13) { 1e-3 * (j + 1) as f64 } else { 1e-9 },
+        diverged: (j + k).is_multiple_of(7).then_some(17 * j as u64 + 1),
+    };
+    match task {
+        Task::Limits(_) => Found::Limits {
+            predicted: Some(near_one(13)),
+            measured: (k % 7 != 0).then(|| near_one(13) + 1e-3 * (k % 3) as f64),
+            allowed: (k % 5 != 0).then(|| near_one(17)),
+        },
+        Task::Shaken { sizes, .. } => {
+            let shaken = |j: usize| Shaken {
+                wound: 1e-3 * (j + k) as f64,
+                diverged: (j + k).is_multiple_of(3).then_some(17 * j as u64 + 1),
+            };
+            Found::Shaken((0..sizes.len()).map(shaken).collect())
+        }
+        Task::Edge(_) => Found::Edge((k % 5 != 0).then(|| near_one(11))),
+        Task::Perturbed { courant, .. } | Task::Struck { courant, .. } => {
+            Found::Cells(courant.iter().enumerate().map(cell).collect())
+        }
+    }
+}
+
+/// The page as a text, tables and pictures by a number for each. What is computed has tests of its own.
+#[test]
+fn files_of_made_up_numbers_are_as_they_were() {
+    let points = points();
+    let values =
+        points.iter().enumerate().map(|(k, point)| made_up(k, &point.parameters)).collect();
+    let mut seen = String::new();
+    for (name, text) in files(&Results::new(&points, values)) {
+        if name == "README.md" {
+            assert_snapshot_in("study", "stability-made-up", &text);
+        } else {
+            seen += &format!("{name} {:016x}\n", fnv(text.bytes()));
+        }
+    }
+    assert_snapshot_in("study", "stability-made-up-files", &seen);
+}
+
+/// Fibres that swing, all of them: the page has them in words.
+#[test]
+fn fibres_that_are_shaken_are_those_of_the_committed_page() {
+    let page = committed("README.md");
+    let mut run_away = 0;
+    for ((courant, measure), point) in shakings() {
+        let Found::Shaken(found) = compute(&point.parameters) else { panic!("{}", point.id) };
+        let words = |shaken: &Shaken| match shaken.diverged {
+            Some(step) => format!("runs away, step {step}"),
+            None => format!("{:+.1e}", shaken.wound),
+        };
+        let words: Vec<String> = found.iter().map(words).collect();
+        let line = format!("| {} | {courant} | {} |", measure_name(measure), words.join(" | "));
+        assert!(
+            page.lines().any(|known| known == line),
+            "the page is stale, it has no line\n{line}"
+        );
+        // What has run away has three times its strain: two more.
+        for shaken in found.iter().filter(|shaken| shaken.diverged.is_some()) {
+            assert_eq!(shaken.wound.to_bits(), (2.0 * SHAKEN).to_bits());
+            run_away += 1;
+        }
+    }
+    assert_eq!(run_away, 3);
+}
+
+/// Impacts by (4) at a velocity at which every march runs away, and one of another that lasts.
+#[test]
+fn some_of_the_committed_impacts_are_computed_anew() {
+    let maps = maps();
+    let map = maps.iter().find(|map| map.id == "velocity-4").unwrap();
+    let columns = [(map, 0.95), (map, 0.6)];
+    let point = |(map, x): (&Map, f64)| {
+        map.points().into_iter().find(|point| point.id == map.cells_id(x)).unwrap()
+    };
+    let mut points = columns.map(point);
+    let Task::Struck { courant, .. } = &mut points[1].parameters else { panic!("no impact") };
+    courant.truncate(1);
+    let table = cells(&results(points.into()), &columns);
+    assert_eq!(table.lines().count(), 1 + map.courant.0.count + 1);
+    is_part_of(&table, "maps.csv", CELLS);
+}
+
+/// The scenes, strains and Courant numbers, by a number for each part of the study.
+#[test]
+fn what_is_computed_is_what_it_was() {
+    let mut parts: BTreeMap<String, String> = BTreeMap::new();
+    for point in points() {
+        let part = point.id.split('-').next().unwrap().to_owned();
+        let parameters = serde_json::to_string(&point.parameters).unwrap();
+        *parts.entry(part).or_default() += &format!("{} {parameters}\n", point.id);
+    }
+    let line = |(part, text): (&String, &String)| {
+        format!("{part} {} {:016x}\n", text.lines().count(), fnv(text.bytes()))
+    };
+    assert_snapshot_in("study", "stability-points", &parts.iter().map(line).collect::<String>());
 }
 
 #[test]

@@ -104,3 +104,26 @@ impl Base {
 fn unbound<S: Number, const D: usize>(fibre: &mut FibreState<S, D>) {
     fibre.constitution = fibre.constitution.take().map(Constitution::unbounded);
 }
+
+#[cfg(test)]
+mod tests {
+    use crossfibre::scene::Law;
+
+    use super::super::rows::{at_rest, fibre};
+    use super::*;
+
+    /// Ee + Ce² by hand. Some roundings.
+    #[test]
+    fn a_base_state_has_the_tension_that_its_law_gives_its_strain() {
+        let mut scene = fibre(5, Strain::Engineering);
+        let law = Law::Polynomial { coefficients: vec![58.6e9, 2e12] };
+        scene.primary.material = law.into();
+        let expected = scene.primary.area * (58.6e9 * 0.05 + 2e12 * 0.0025);
+        let state = at_rest(scene, 0.05).state::<f64>(0.3);
+        for (tension, pull) in state.primary.tension.iter().zip(&state.primary.pull) {
+            assert!((tension / expected - 1.0).abs() < 1e-14, "{tension} {expected}");
+            assert!((pull.x / expected - 1.0).abs() < 1e-14, "{pull:?} {expected}");
+        }
+        assert_eq!(state.primary.tension.len(), 5);
+    }
+}

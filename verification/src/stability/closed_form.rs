@@ -174,6 +174,16 @@ mod tests {
         assert_eq!(node_limit(0.5013 * chain.mass, &[(1.0, chain)]), chain.limit());
     }
 
+    #[test]
+    fn a_node_that_nothing_holds_is_stable_at_every_step() {
+        let slack = Chain { mass: 2.91e-6, stiffness: 0.0 };
+        assert!(node_limit(slack.mass, &[(1.0, slack)]).is_infinite());
+        // A chain that holds nothing beside one that does makes no difference.
+        let chain = Chain { stiffness: 2.93e7, ..slack };
+        let alone = node_limit(0.1 * chain.mass, &[(1.0, chain)]);
+        assert_eq!(node_limit(0.1 * chain.mass, &[(1.0, chain), (1.0, slack)]), alone);
+    }
+
     /// With x = sin²β and equal fibres, without the inertia of the arms and with rigid transverse
     /// motion left out, (1 + r)/r = 2(1 + x) gives α² = 1 − (x/(1 + x))². Rounding alone.
     #[test]
@@ -188,6 +198,22 @@ mod tests {
                 node_limit(2.0 * chain.mass, &[(2.0, chain), (2.0 * x, chain)]),
                 chain.limit()
             );
+        }
+    }
+
+    /// With EA/Δx = 12 N/m and λ = 1.25, or exp(0.25) by (4): dT/dL along, T/L across.
+    #[test]
+    fn a_stretched_fibre_is_as_stiff_as_its_measure_of_strain_makes_it() {
+        let material = Material::linear(3.0);
+        let fibre = Fibre { spacing: 0.5, mass: 0.7, area: 2.0, material: &material };
+        let by_4 = 12.0 / 1.284_025_416_687_741_4;
+        for (measure, along, across) in
+            [(Strain::Engineering, 12.0, 2.4), (Strain::Incremental, by_4, 0.25 * by_4)]
+        {
+            let found = fibre.stretched(0.25, measure);
+            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+            assert!(near(found.along.stiffness, along), "{measure:?}: {:?}", found.along);
+            assert!(near(found.across.stiffness, across), "{measure:?}: {:?}", found.across);
         }
     }
 }

@@ -182,6 +182,9 @@ fn squares<const D: usize>(fibre: &FibreState<f64, D>) -> (f64, usize) {
 
 #[cfg(test)]
 mod tests {
+    use crossfibre::scene::Strain;
+
+    use super::super::rows::{ALONE, at_rest, fibre};
     use super::*;
 
     /// Sums of t^2p exp(2rt) over quarters. A sum over a quarter is not the value in its middle: worst
@@ -198,6 +201,24 @@ mod tests {
             }
             let found = late_rate(steps, quarters);
             assert!((found - rate).abs() < 5e-5, "{rate} {power}: {found}");
+        }
+    }
+
+    #[test]
+    fn a_march_is_unstable_beyond_a_rate_or_if_it_ended() {
+        let is_unstable = |rate, diverged| Growth { rate, diverged }.is_unstable();
+        assert!(!is_unstable(THRESHOLD, None) && is_unstable(1.01 * THRESHOLD, None));
+        assert!(is_unstable(0.0, Some(7)) && is_unstable(1.0, Some(7)));
+    }
+
+    /// Nodes that move by 1e190 elements in a step: the square of a length is beyond all numbers. By
+    /// 1e140: that of a velocity, a step later.
+    #[test]
+    fn a_march_that_ends_before_anything_has_grown_has_diverged() {
+        let base = at_rest(fibre(ALONE, Strain::Engineering), 0.0145);
+        for (courant, step) in [(1e200, 1), (1e150, 2)] {
+            let expected = Growth { rate: f64::MAX, diverged: Some(step) };
+            assert_eq!(growth(&base, courant), expected, "{courant}");
         }
     }
 }

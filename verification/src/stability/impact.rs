@@ -52,3 +52,18 @@ impl WithPaper<f64> for Impact<'_> {
         Growth { rate, diverged: None }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// Artificial viscosity leaves no room below the Courant limit there: the strain stays what it is.
+    #[test]
+    fn a_march_that_ends_by_itself_has_diverged() {
+        let mut scene = shipped("artificial-viscosity");
+        scene.courant = 0.95;
+        let diverged = impact(&scene, 1.0).diverged;
+        assert!(diverged.is_some_and(|step| step < CHUNK), "{diverged:?}");
+    }
+}

@@ -130,3 +130,14 @@ fn edges(results: &Results, columns: &[(&Map, f64)]) -> String {
     }
     table.text()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_has_six_decimals_up_to_the_end_of_the_search() {
+        let found = [Some(0.0), Some(0.948_683_298), Some(2.0), Some(2.5), None].map(decimal);
+        assert_eq!(found, ["0.000000", "0.948683", "2.000000", "> 2", "> 2"]);
+    }
+}

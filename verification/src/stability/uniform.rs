@@ -91,3 +91,24 @@ fn alternating(x: f64, update: Update) -> f64 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rows::{ALONE, at_rest, fibre};
+    use super::*;
+
+    /// α = √λ, and 1/cos(π/2n) times that on n elements. Some roundings.
+    #[test]
+    fn a_fibre_without_end_has_the_limit_of_its_stretch() {
+        let near = |found: f64, expected: f64| {
+            assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
+        };
+        for (measure, limit) in
+            [(Strain::Engineering, 1.0), (Strain::Incremental, Number::exp(0.0145 / 2.0))]
+        {
+            let base = at_rest(fibre(ALONE, measure), 0.0145);
+            near(endless(&base), limit);
+            near(held(&base), limit * finite(ALONE));
+        }
+    }
+}

@@ -40,9 +40,15 @@ pub fn crossfibre(folder: &Path, arguments: &[&str]) -> Ended {
 
 /// Holds what is seen against `golden/cli/<name>.snap`.
 pub fn assert_snapshot(name: &str, seen: &str) {
+    assert_snapshot_in("cli", name, seen);
+}
+
+/// Holds a text against `golden/<folder>/<name>.snap`; `INSTA_UPDATE=always` writes it anew.
+pub fn assert_snapshot_in(folder: &str, name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/cli"));
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden");
+    settings.set_snapshot_path(golden.join(folder));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, seen));
+    settings.bind(|| insta::assert_snapshot!(name, text));
 }
