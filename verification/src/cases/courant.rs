@@ -1,6 +1,7 @@
 //! Stability: what the paper says of α < 1, = 1, > 1, found by growth rates.
 
 use crossfibre::number::Number;
+use crossfibre::outcome::Outcome;
 use crossfibre::scene::Strain;
 
 use super::axial::{edition, held, linear_scene};
@@ -54,14 +55,18 @@ fn growth() -> Vec<Check> {
         .collect()
 }
 
+/// The size of a residual; beyond every bound if there is none.
+fn size(outcome: &Outcome, residual: f64) -> f64 {
+    if outcome.is_completed() && residual.is_finite() { residual.abs() } else { f64::MAX }
+}
+
 fn impact() -> Vec<Check> {
     let energy = |courant: f64, duration: f64| {
         let mut scene = measured_by(Strain::Engineering, shipped("single-400"));
         scene.courant = courant;
         scene.duration = duration;
         let run = marched(scene);
-        let gained = run.balance.energy.relative_residual();
-        if run.outcome.is_completed() && gained.is_finite() { gained.abs() } else { f64::MAX }
+        size(&run.outcome, run.balance.energy.relative_residual())
     };
     // Seven passages of the fibre, so that waves of all lengths have met.
     let long = 300e-6;
@@ -89,4 +94,19 @@ fn impact() -> Vec<Check> {
         )
     }));
     checks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_that_ends_early_and_a_residual_without_a_number_are_beyond_every_bound() {
+        let ended = Outcome::EnergyUnbalanced { step: 7, residual: Some(1.3) };
+        assert_eq!(size(&Outcome::Completed, -0.37), 0.37);
+        assert_eq!(size(&ended, 0.37), f64::MAX);
+        for residual in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(size(&Outcome::Completed, residual), f64::MAX);
+        }
+    }
 }

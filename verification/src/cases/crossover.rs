@@ -242,13 +242,17 @@ fn printed() -> Vec<Check> {
     ]
 }
 
+/// 1 if a residual is beyond all energy that was put in, or no number any more.
+fn runs_away(residual: f64) -> f64 {
+    f64::from(u8::from(residual.is_nan() || residual > 1.0))
+}
+
 fn inertia() -> Vec<Check> {
     let residual = |corrections, courant, duration| {
         let scene = Scene { corrections, courant, duration, ..shipped("fig3") };
         let run = marched(measured_by(Strain::Engineering, scene));
         run.balance.energy.relative_residual().abs()
     };
-    let runs_away = |residual: f64| f64::from(u8::from(residual.is_nan() || residual > 1.0));
     let with = Corrections::ALL;
     let without = Corrections::ALL.without(Erratum::CrossoverInertia);
     let oracle = "energy balance of Fig. 3 carried on, with engineering strain";
@@ -288,4 +292,15 @@ fn inertia() -> Vec<Check> {
             "growth is slower there than at α = 1, not absent; its rate is not known yet",
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_residual_that_is_no_number_has_run_away() {
+        assert_eq!([0.0, 0.9, 1.0].map(runs_away), [0.0, 0.0, 0.0]);
+        assert_eq!([1.1, f64::INFINITY, f64::NAN].map(runs_away), [1.0, 1.0, 1.0]);
+    }
 }

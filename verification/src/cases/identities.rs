@@ -44,8 +44,6 @@ fn both_at_origin() -> Vec<Check> {
     let both = marched(shipped("both-at-origin"));
     let secondary = &both.state.crossover.as_ref().expect("both fibres").fibre;
     let single = &single.state.primary;
-    let off_plane = secondary.position.iter().zip(&secondary.velocity);
-    let off_plane = off_plane.filter(|(x, v)| x.x != 0.0 || v.x != 0.0).count();
     vec![
         check(
             "The primary fibre responds as a single fibre",
@@ -67,11 +65,17 @@ fn both_at_origin() -> Vec<Check> {
             "and it does not leave that plane",
             "symmetry",
             "nodes with x or u other than zero",
-            off_plane as f64,
+            off_plane(secondary) as f64,
             Bound::Exactly(0.0),
             EXACT,
         ),
     ]
+}
+
+/// Nodes that are out of the plane x = 0, or move out of it.
+fn off_plane(fibre: &FibreState<f64, 3>) -> usize {
+    let nodes = fibre.position.iter().zip(&fibre.velocity);
+    nodes.filter(|(x, v)| x.x != 0.0 || v.x != 0.0).count()
 }
 
 fn free_sliding() -> Vec<Check> {
@@ -127,20 +131,25 @@ fn wavefront_flags() -> Vec<Check> {
         .map(|name| {
             let with = marched(shipped(name));
             let without = marched_from(shipped(name), Wavefront::Ignored, &|_| {});
-            let mut different = different_bits(&with.state.primary, &without.state.primary, |k| k);
-            if let (Some(a), Some(b)) = (&with.state.crossover, &without.state.crossover) {
-                different += different_bits(&a.fibre, &b.fibre, |k| k);
-            }
             check(
                 format!("{name}: with the flags and without them"),
                 "the run that visits every element in every step",
                 BITS,
-                different,
+                different_in_both(&with.state, &without.state),
                 Bound::Exactly(0.0),
                 "ahead of the front every operation has zero for its result",
             )
         })
         .collect()
+}
+
+/// [`different_bits`] of both fibres.
+fn different_in_both(a: &State<f64>, b: &State<f64>) -> f64 {
+    let mut different = different_bits(&a.primary, &b.primary, |k| k);
+    if let (Some(a), Some(b)) = (&a.crossover, &b.crossover) {
+        different += different_bits(&a.fibre, &b.fibre, |k| k);
+    }
+    different
 }
 
 fn causality() -> Vec<Check> {
@@ -153,10 +162,7 @@ fn causality() -> Vec<Check> {
     let late = |name: &str| {
         let mut count = 0;
         watched(shipped(name), Wavefront::Ignored, &|_| {}, |state| {
-            let front = state.step as usize;
-            let strained =
-                front <= state.primary.elements() && state.primary.strain[front - 1] != 0.0;
-            count += usize::from(!strained && front <= state.primary.elements());
+            count += usize::from(front_is_late(state));
         });
         count as f64
     };
@@ -188,6 +194,13 @@ fn causality() -> Vec<Check> {
     ]
 }
 
+/// Whether the element that the front must be in is still unstrained; never when the front has passed the
+/// last one.
+fn front_is_late(state: &State<f64>) -> bool {
+    let front = state.step as usize;
+    front <= state.primary.elements() && state.primary.strain[front - 1] == 0.0
+}
+
 /// Elements and nodes of both fibres that move or are strained though no signal can be there.
 fn ahead_of_front(state: &State<f64>) -> usize {
     let step = state.step as usize;
@@ -204,4 +217,70 @@ fn moving_from<const D: usize>(fibre: &FibreState<f64, D>, first: usize) -> usiz
     (first..fibre.elements())
         .filter(|&e| fibre.strain[e] != 0.0 || fibre.velocity[e + 1].iter().any(|&v| v != 0.0))
         .count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::coarse_fig3;
+
+    /// Six elements along, four across from node 2 on.
+    fn at_rest() -> State<f64> {
+        let mut state = State::at_impact(&coarse_fig3(), Wavefront::Ignored);
+        state.crossover.as_mut().unwrap().node = 2;
+        state
+    }
+
+    #[test]
+    fn a_node_is_off_its_plane_by_its_place_or_by_its_velocity() {
+        let state = State::<f64>::at_impact(&shipped("both-at-origin"), Wavefront::Flagged);
+        let mut fibre = state.crossover.unwrap().fibre;
+        assert_eq!(off_plane(&fibre), 0);
+        fibre.position[3].x = 1e-300;
+        fibre.velocity[5].x = -0.1;
+        (fibre.position[7].x, fibre.velocity[7].x) = (0.1, 0.1);
+        (fibre.position[8].y, fibre.velocity[9].z) = (0.1, 0.1);
+        assert_eq!(off_plane(&fibre), 3);
+    }
+
+    #[test]
+    fn what_differs_in_either_fibre_is_counted() {
+        let (a, mut b) = (at_rest(), at_rest());
+        assert_eq!(different_in_both(&a, &b), 0.0);
+        b.primary.strain[1] = 0.1;
+        let across = &mut b.crossover.as_mut().unwrap().fibre;
+        (across.strain[0], across.position[2].y) = (0.1, 0.1);
+        assert_eq!(different_in_both(&a, &b), 3.0);
+    }
+
+    /// After three steps a signal may be in three elements along and, two elements on, in one across.
+    #[test]
+    fn what_is_strained_or_moves_ahead_of_the_front_is_counted() {
+        fn across(state: &mut State<f64>) -> &mut FibreState<f64, 3> {
+            &mut state.crossover.as_mut().unwrap().fibre
+        }
+        let mut state = at_rest();
+        state.step = 3;
+        (state.primary.strain[2], state.primary.velocity[3].y) = (0.1, 0.1);
+        (across(&mut state).strain[0], across(&mut state).velocity[1].z) = (0.1, 0.1);
+        assert_eq!(ahead_of_front(&state), 0);
+        state.primary.strain[3] = 0.1;
+        (state.primary.strain[4], state.primary.velocity[5].x) = (0.1, 0.1);
+        state.primary.velocity[6].y = 0.1;
+        across(&mut state).velocity[2].y = 0.1;
+        across(&mut state).strain[2] = 0.1;
+        assert_eq!(ahead_of_front(&state), 5);
+    }
+
+    #[test]
+    fn the_front_is_late_while_its_element_is_unstrained_and_never_beyond_the_last() {
+        let mut state = at_rest();
+        for (step, strain) in [(1, 0.0), (1, 1e-300), (6, 0.0), (6, -0.1)] {
+            state.step = step;
+            state.primary.strain[step as usize - 1] = strain;
+            assert_eq!(front_is_late(&state), strain == 0.0, "{step} {strain}");
+        }
+        state.step = 7;
+        assert!(!front_is_late(&state));
+    }
 }

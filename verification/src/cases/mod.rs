@@ -333,6 +333,14 @@ mod tests {
     }
 
     #[test]
+    fn the_full_set_is_every_case_and_one_that_takes_minutes() {
+        let ids = |cases: Vec<Case>| cases.iter().map(|case| case.id).collect::<Vec<_>>();
+        let mut expected = ids(all());
+        expected.push("precision.whole-record");
+        assert_eq!(ids(full()), expected);
+    }
+
+    #[test]
     fn case_ids_are_unique() {
         let mut ids: Vec<_> = full().iter().map(|case| case.id).collect();
         let count = ids.len();

@@ -99,14 +99,18 @@ fn three_ways(ids: &[&str], by_hand: f64, by_marching: Bound) -> Vec<Check> {
     ]
 }
 
+/// The crossovers of two equal fibres with all corrections.
+fn corrected_crossovers() -> impl Iterator<Item = Row> {
+    let corrected = EDITIONS[2].0;
+    rows().into_iter().filter(move |row| {
+        row.group == Group::Crossover && row.cells.iter().any(|cell| cell == corrected)
+    })
+}
+
 fn crossover() -> Vec<Check> {
     let mut checks =
         three_ways(&["crossover-engineering-0.6-1-without-inertia"], 1e-6, Bound::AtMost(2e-6));
-    let corrected = EDITIONS[2].0;
-    let rows = rows().into_iter().filter(|row| {
-        row.group == Group::Crossover && row.cells.iter().any(|cell| cell == corrected)
-    });
-    let unstable = rows
+    let unstable = corrected_crossovers()
         .flat_map(|row| [0.3, 0.9, 1.0].map(|courant| spectral_radius(&row.base, courant)))
         .filter(|radius| *radius > 1.0 + THRESHOLD)
         .count();
@@ -120,4 +124,22 @@ fn crossover() -> Vec<Check> {
         "none may grow",
     ));
     checks
+}
+
+#[cfg(test)]
+mod tests {
+    use crossfibre::errata::Corrections;
+
+    use super::*;
+
+    /// By two measures of strain, straight and tilted, at five slide factors.
+    #[test]
+    fn the_corrected_crossovers_are_twenty_and_all_are_corrected() {
+        let all: Vec<_> = corrected_crossovers().collect();
+        assert_eq!(all.len(), 2 * 2 * 5);
+        for row in all {
+            assert_eq!(row.group, Group::Crossover, "{}", row.id);
+            assert_eq!(row.base.scene.corrections, Corrections::ALL, "{}", row.id);
+        }
+    }
 }

@@ -230,3 +230,62 @@ pub fn different_bits<const D: usize, const E: usize>(
         + scalars(&a.strain, &b.strain)
         + scalars(&a.tension, &b.tension)) as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use crossfibre::number::Vector;
+
+    use super::*;
+
+    /// Middles of elements at 1, 3 and 5.
+    #[test]
+    fn an_element_whose_middle_is_at_an_end_of_the_window_is_in_it() {
+        let of = [1.0, 4.0, 16.0];
+        assert_eq!(mean(2.0, &of, 1.0, 3.0), 2.5);
+        assert_eq!(mean(2.0, &of, 3.0, 5.0), 10.0);
+        assert_eq!(mean(2.0, &of, 1.5, 4.5), 4.0);
+    }
+
+    #[test]
+    fn means_of_strain_are_those_of_their_fibre() {
+        let mut run = marched(coarse_fig3());
+        run.state.primary.properties.spacing = 2.0;
+        run.state.primary.strain = vec![1.0, 4.0, 16.0];
+        let across = &mut run.state.crossover.as_mut().unwrap().fibre;
+        across.properties.spacing = 1.0;
+        across.strain = vec![3.0, 8.0, 10.0];
+        assert_eq!(run.primary_strain(2.0, 6.0), 10.0);
+        assert_eq!(run.secondary_strain(1.0, 3.0), 9.0);
+    }
+
+    /// Other numbers of each kind, so that none makes up for another.
+    #[test]
+    fn every_number_that_differs_is_counted_once() {
+        let state = State::<f64>::at_impact(&refined(coarse_fig3(), 4), Wavefront::Flagged);
+        let (a, mut b) = (&state.primary, state.primary.clone());
+        assert_eq!(different_bits(a, &b, |k| k), 0.0);
+        // An element more, 2 components of positions, 4 of velocities, 8 strains, 16 tensions.
+        b.strain.push(0.0);
+        b.position[3].x += 1e-9;
+        b.position[7].y = -0.0;
+        b.velocity[5].y = 0.1;
+        b.velocity[6] = Vector::<f64, 2>::new(0.1, 0.2);
+        b.velocity[9].x = f64::NAN;
+        b.strain[3..11].fill(1e-300);
+        b.tension[..16].fill(-1.0);
+        assert_eq!(different_bits(a, &b, |k| k), 31.0);
+    }
+
+    /// x of one is y of the other.
+    #[test]
+    fn components_are_compared_with_those_that_they_are_named_after() {
+        let state = State::<f64>::at_impact(&coarse_fig3(), Wavefront::Flagged);
+        let (mut a, mut b) = (state.primary.clone(), state.primary.clone());
+        for i in 0..=6 {
+            a.position[i] = Vector::<f64, 2>::new(i as f64 + 0.1, 0.7);
+            b.position[i] = Vector::<f64, 2>::new(0.7, i as f64 + 0.1);
+        }
+        assert_eq!(different_bits(&a, &b, |k| [1, 0][k]), 0.0);
+        assert_eq!(different_bits(&a, &b, |k| k), 14.0);
+    }
+}

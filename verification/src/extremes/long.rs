@@ -37,17 +37,22 @@ struct Long {
     momentum: f64,
 }
 
+/// The tenth that a step is looked at for, the first or the last; every thousandth step is looked at.
+fn part(step: u64) -> Option<usize> {
+    let tenth = STEPS / 10;
+    match step {
+        step if step % 1000 > 0 => None,
+        step if step <= tenth => Some(0),
+        step if step > STEPS - tenth => Some(1),
+        _ => None,
+    }
+}
+
 fn long(mut scene: Scene) -> Long {
     scene.duration = STEPS as f64 * Discretisation::<f64>::of(&scene).time_step;
-    let tenth = STEPS / 10;
     let (mut energy, mut momentum) = ([0.0_f64; 2], 0.0_f64);
     let result = planted::run(&scene, |state| {
-        let part = match state.step {
-            step if step % 1000 > 0 => return,
-            step if step <= tenth => 0,
-            step if step > STEPS - tenth => 1,
-            _ => return,
-        };
+        let Some(part) = part(state.step) else { return };
         let balance = match scene.strain {
             Strain::Engineering => {
                 state.balance(&Corrected::<Engineering>::new(Corrections::ALL), scene.strain)
@@ -179,4 +184,16 @@ fn rows() -> Vec<Row> {
             "ledger strain-path",
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_thousandth_step_of_the_first_and_the_last_hundred_thousand_is_looked_at() {
+        let found = [1000, 100_000, 101_000, 900_000, 901_000, 1_000_000].map(part);
+        assert_eq!(found, [Some(0), Some(0), None, None, Some(1), Some(1)]);
+        assert_eq!((1..=STEPS).filter(|&step| part(step).is_some()).count(), 200);
+    }
 }

@@ -1,5 +1,6 @@
 //! Meshes of two elements and of a million.
 
+use crossfibre::result::RunResult;
 use crossfibre::scene::{Scene, Strain};
 
 use super::{Group, Row, checks, refused, row, run, verdict};
@@ -83,8 +84,9 @@ fn elements(count: usize) -> Scene {
     scene
 }
 
-fn million() -> Row {
-    let [short, long] = [64, 1_000_000].map(|count| run(&elements(count)));
+/// Numbers of the elements of a short fibre that are others in a long one, strains of the long one beyond
+/// them, and how many element-steps one has more than the other.
+fn apart(short: &RunResult, long: &RunResult) -> usize {
     let pairs =
         |a: &[f64], b: &[f64]| a.iter().zip(b).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
     let vectors =
@@ -94,15 +96,20 @@ fn million() -> Row {
         + pairs(&a.tension, &b.tension)
         + vectors(&a.position, &b.position)
         + vectors(&a.velocity, &b.velocity);
-    let beyond = b.strain[64..].iter().filter(|&&e| e != 0.0).count();
+    let beyond = b.strain[a.strain.len()..].iter().filter(|&&e| e != 0.0).count();
     let visited = (short.counts.element_steps).abs_diff(long.counts.element_steps) as usize;
+    different + beyond + visited
+}
+
+fn million() -> Row {
+    let [short, long] = [64, 1_000_000].map(|count| run(&elements(count)));
     row(
         "1 000 000 elements, 50 steps",
         "The first 64 elements are those of a fibre of 64, the others at rest and not visited",
         long.outcome.to_string(),
         "causality: nothing comes back in 50 steps",
         "numbers whose bits differ, strains beyond, element-steps more",
-        (different + beyond + visited) as f64,
+        apart(&short, &long) as f64,
         Bound::Exactly(0.0),
         "1/512 m is exact, so are the places of the nodes",
     )
@@ -134,4 +141,27 @@ fn rows() -> Vec<Row> {
         is_refused("100 000 001 elements", with(100_000_001)),
         is_refused("10²⁰ s", Scene { duration: 1e20, ..shipped("single-400") }),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Other numbers of each kind, so that none makes up for another.
+    #[test]
+    fn everything_that_a_longer_fibre_has_otherwise_is_counted_once() {
+        let short = run(&elements(64));
+        let mut long = short.clone();
+        long.primary.strain.extend([0.0, 0.0]);
+        assert_eq!(apart(&short, &long), 0);
+        // 16 strains, 2 tensions, 4 components of positions and 8 of velocities.
+        long.primary.strain[..16].fill(-1.0);
+        long.primary.tension[..2].fill(-1.0);
+        long.primary.position[..2].fill(vec![9.0, 9.0]);
+        long.primary.velocity[..4].fill(vec![7e9, 7e9]);
+        // A strain beyond, and 32 element-steps.
+        long.primary.strain[65] = 0.1;
+        long.counts.element_steps += 32;
+        assert_eq!(apart(&short, &long), 63);
+    }
 }

@@ -120,3 +120,25 @@ fn tally<'a>(outcomes: impl IntoIterator<Item = &'a Outcome>) -> String {
     }
     kinds.iter().map(|(kind, times)| format!("{kind} ({times})")).collect::<Vec<_>>().join(", ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_group_is_a_case() {
+        let ids: Vec<_> = cases().iter().map(|case| case.id).collect();
+        assert_eq!(ids.len(), GROUPS.len());
+        assert!(ids.iter().all(|id| id.starts_with("extreme.")), "{ids:?}");
+    }
+
+    #[test]
+    fn a_claim_is_made_with_the_scene_that_it_is_of() {
+        let bound = Bound::AtMost(0.9);
+        let line = row("2 elements", "They move", "completed", "a person", "m", 0.37, bound, "why");
+        let made = checks(vec![line]);
+        let [check] = &made[..] else { panic!("{made:?}") };
+        assert_eq!(check.claim, "2 elements: They move");
+        assert_eq!((check.measured, check.bound), (0.37, bound));
+    }
+}

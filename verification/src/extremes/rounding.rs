@@ -52,19 +52,23 @@ fn errors(scene: &Scene, strain: &[f64]) -> Vec<f64> {
     passed.map(|(i, e)| e / (mach * mach * ((STEPS as f64 - 0.5) - i as f64)) - 1.0).collect()
 }
 
-/// Root mean square of the errors.
-fn error(scene: &Scene, strain: &[f64]) -> f64 {
-    let errors = errors(scene, strain);
+/// Root mean square of errors.
+fn size(errors: &[f64]) -> f64 {
     let sum = errors.iter().fold(0.0, |sum, error| sum + error * error);
     (sum / errors.len() as f64).sqrt()
 }
 
+/// The fibre struck at a velocity, by the page: how the run ends, and its errors.
+fn printed(velocity: f64, measure: Strain) -> (String, Vec<f64>) {
+    let scene = slow(velocity, measure);
+    let result = run(&scene);
+    assert_eq!(result.steps, STEPS);
+    (result.outcome.to_string(), errors(&scene, &result.primary.strain))
+}
+
 /// By what: the errors of the elements, from the impact point on.
 pub fn drawn() -> Vec<(&'static str, Vec<f64>)> {
-    let printed = |velocity, measure| {
-        let scene = slow(velocity, measure);
-        errors(&scene, &run(&scene).primary.strain)
-    };
+    let printed = |velocity, measure| printed(velocity, measure).1;
     let scene = slow(1e-3, Strain::Incremental);
     let (_, rewritten) = strain::<f64>(&scene, &Rewritten::default());
     vec![
@@ -128,12 +132,6 @@ fn rows() -> Vec<Row> {
     let line = |what: &str, claim: &str, says: String, error, bound, reason: &str| {
         row(what, claim, says, CLOSED_FORM, NORM, error, bound, reason)
     };
-    let printed = |velocity, strain| {
-        let scene = slow(velocity, strain);
-        let result = run(&scene);
-        assert_eq!(result.steps, STEPS);
-        (result.outcome.to_string(), error(&scene, &result.primary.strain))
-    };
     let scene = slow(1e-3, Strain::Incremental);
     let (rewritten_says, rewritten) = strain::<f64>(&scene, &Rewritten::default());
     let (long_says, long) =
@@ -147,7 +145,7 @@ fn rows() -> Vec<Row> {
             "1 mm/s, (4) as printed",
             "(4) loses digits",
             says,
-            as_printed,
+            size(&as_printed),
             Bound::Within(0.02, 0.15),
             "half a unit of L/L, 1.1e-16, and of positions of up to 0.2 m, in each step of 2e-14",
         ),
@@ -155,7 +153,7 @@ fn rows() -> Vec<Row> {
             "1 mm/s, engineering strain",
             "So does L/L⁰ − 1",
             says_engineering,
-            engineering,
+            size(&engineering),
             Bound::Within(0.02, 0.15),
             "the same",
         ),
@@ -163,7 +161,7 @@ fn rows() -> Vec<Row> {
             "1 mm/s, (4) rewritten",
             "An algebraically equal form does not",
             rewritten_says.clone(),
-            error(&scene, &rewritten),
+            size(&errors(&scene, &rewritten)),
             Bound::AtMost(2e-8),
             "terms of the next order: the tension, 2e-12 of the modulus, pulls the second node along",
         ),
@@ -171,7 +169,7 @@ fn rows() -> Vec<Row> {
             "1 mm/s, (4) as printed in double-double",
             "Nor does (4) itself with 32 digits",
             long_says,
-            error(&scene, &long),
+            size(&errors(&scene, &long)),
             Bound::AtMost(2e-8),
             "the same",
         ),
@@ -189,7 +187,7 @@ fn rows() -> Vec<Row> {
             "1 cm/s, (4) as printed",
             "Ten times as fast it has two digits more",
             says_faster,
-            faster,
+            size(&faster),
             Bound::AtMost(3e-3),
             "the increments are a hundred times as large",
         ),
@@ -197,7 +195,7 @@ fn rows() -> Vec<Row> {
             "10 µm/s, (4) as printed",
             "A hundred times slower none is left, and nothing says so",
             says_gone,
-            gone,
+            size(&gone),
             Bound::AtLeast(50.0),
             "a step adds 2e-18, which no L/L can show: found, not mended",
         ),

@@ -112,3 +112,15 @@ fn compared(claim: &str, pairs: &[(f64, f64)], most: f64) -> Check {
          a difference from 1, a quarter of it, and tensions go by the strains",
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A is Δt/Δm: 0.03 = 0.1/(10/3).
+    #[test]
+    fn the_mass_of_a_node_is_that_of_its_a() {
+        let properties = before().primary.properties;
+        assert!((properties.a * properties.mass / TIME_STEP - 1.0).abs() < 1e-15);
+    }
+}

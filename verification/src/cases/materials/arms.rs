@@ -256,3 +256,21 @@ pub fn stiff() -> Vec<Check> {
         ),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The condition as its derivation has it: springs and arms of the highest mode are 4 together, at
+    /// any Courant number.
+    #[test]
+    fn at_the_literal_limit_springs_and_arms_of_the_highest_mode_make_four() {
+        let spring = 41.3 / 71.3;
+        for courant in [0.5, 0.37, 0.83] {
+            let x = literal_limit(&relaxing_in(1.0, Update::Literal, courant));
+            let of = |share: f64| 4.0 * courant * courant * share;
+            let sum = of(spring) + 2.0 * of(1.0 - spring) / (2.0 - x);
+            assert!((sum / 4.0 - 1.0).abs() < 1e-12, "{courant} {x} {sum}");
+        }
+    }
+}

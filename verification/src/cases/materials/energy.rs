@@ -102,25 +102,37 @@ fn at_a_shock() -> Check {
 
 /// How often the dissipated energy of an element falls in a step.
 fn gains(scene: Scene) -> f64 {
-    fn count(last: &mut Vec<f64>, constitution: Option<&Constitution<f64>>) -> usize {
-        let Some(constitution) = constitution else { return 0 };
-        let n = constitution.law.memory();
-        if n == 0 {
-            return 0;
-        }
-        let elements = constitution.memory.chunks_exact(n);
-        let now: Vec<_> = elements.map(|memory| constitution.law.dissipated(memory)).collect();
-        let fallen = last.iter().zip(&now).filter(|(last, now)| now < last).count();
-        *last = now;
-        fallen
-    }
-    let (mut primary, mut secondary, mut fallen) = (Vec::new(), Vec::new(), 0);
-    watched(scene, Wavefront::Flagged, &|_| {}, |state| {
-        fallen += count(&mut primary, state.primary.constitution.as_ref());
-        let crossing = state.crossover.as_ref();
-        fallen += count(&mut secondary, crossing.and_then(|c| c.fibre.constitution.as_ref()));
-    });
+    let (mut dissipated, mut fallen) = (Dissipated::default(), 0);
+    watched(scene, Wavefront::Flagged, &|_| {}, |state| fallen += dissipated.fallen(state));
     fallen as f64
+}
+
+/// The dissipated energy of each element of the primary and of the secondary, a step ago.
+#[derive(Default)]
+struct Dissipated([Vec<f64>; 2]);
+
+impl Dissipated {
+    /// The elements that have less than a step ago.
+    fn fallen(&mut self, state: &State<f64>) -> usize {
+        let crossing = state.crossover.as_ref();
+        let [primary, secondary] = &mut self.0;
+        fallen(primary, state.primary.constitution.as_ref())
+            + fallen(secondary, crossing.and_then(|c| c.fibre.constitution.as_ref()))
+    }
+}
+
+/// The same of a fibre.
+fn fallen(last: &mut Vec<f64>, constitution: Option<&Constitution<f64>>) -> usize {
+    let Some(constitution) = constitution else { return 0 };
+    let n = constitution.law.memory();
+    if n == 0 {
+        return 0;
+    }
+    let elements = constitution.memory.chunks_exact(n);
+    let now: Vec<_> = elements.map(|memory| constitution.law.dissipated(memory)).collect();
+    let fallen = last.iter().zip(&now).filter(|(last, now)| now < last).count();
+    *last = now;
+    fallen
 }
 
 fn least(tension: &[f64]) -> f64 {
@@ -200,4 +212,28 @@ pub fn slack() -> Vec<Check> {
             "elements that are now slack, now taut: the bound α = 1 is that of a modulus that stays",
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two viscoelastic fibres, of which one or both are put back to what they were at impact.
+    #[test]
+    fn dissipated_energy_that_falls_is_counted_in_both_fibres() {
+        let impact = State::<f64>::at_impact(&shipped("viscoelastic"), Wavefront::Flagged);
+        let end = marched(shipped("viscoelastic")).state;
+        let from_to = |before: &State<f64>, after: &State<f64>| {
+            let mut dissipated = Dissipated::default();
+            assert_eq!(dissipated.fallen(before), 0);
+            dissipated.fallen(after)
+        };
+        let primary = State { primary: impact.primary.clone(), ..end.clone() };
+        let secondary = State { crossover: impact.crossover.clone(), ..end.clone() };
+        let [along, across] = [primary, secondary].map(|state| from_to(&end, &state));
+        assert!(along > 0 && across > 0, "{along} {across}");
+        assert_eq!(from_to(&end, &impact), along + across);
+        assert_eq!(from_to(&impact, &end), 0);
+        assert_eq!(from_to(&end, &end), 0);
+    }
 }

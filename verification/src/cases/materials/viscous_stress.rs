@@ -48,6 +48,11 @@ fn of_rate(rate: f64) -> (f64, f64, f64) {
     (stress - elastic, run.balance.energy.dissipated, time_step)
 }
 
+/// To be stretched, and to be let shorten.
+fn either_way(rate: f64) -> [f64; 2] {
+    [rate, -rate]
+}
+
 /// A fibre stretched, and one let shorten.
 pub fn stretched() -> Vec<Check> {
     let fibre = &scene().primary;
@@ -60,7 +65,7 @@ pub fn stretched() -> Vec<Check> {
     let volume = 2.0 * fibre.length * fibre.area;
     let (mut stress, mut square, mut loss) = (0.0_f64, 0.0_f64, 0.0_f64);
     for rate in RATES {
-        for rate in [rate, -rate] {
+        for rate in either_way(rate) {
             let (added, lost, time_step) = of_rate(rate);
             stress = worse(stress, relative(added, viscous(rate)));
             loss = worse(loss, relative(lost, viscous(rate) * rate * time_step * volume));
@@ -95,4 +100,16 @@ pub fn stretched() -> Vec<Check> {
             reason,
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fibre_is_stretched_at_a_rate_and_let_shorten_at_the_same() {
+        let [stretched, shortened] = either_way(RATES[0]);
+        assert!(stretched > 0.0);
+        assert_eq!(shortened, -stretched);
+    }
 }

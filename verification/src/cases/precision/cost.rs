@@ -63,8 +63,7 @@ fn half() -> Check {
         let n = run.scene.primary.elements as u64;
         let discretisation = Discretisation::<f64>::of(&run.scene);
         run.scene.duration = n as f64 * discretisation.time_step;
-        let found = found(&run);
-        found.element_steps.abs_diff(n * (n + 1) / 2) + found.steps.abs_diff(n)
+        off_half(&found(&run), n)
     };
     check(
         "Where the front just reaches the clamp the flags spare half: n(n + 1)/2 of n² element-steps are made",
@@ -74,6 +73,12 @@ fn half() -> Check {
         Bound::Exactly(0.0),
         "a count",
     )
+}
+
+/// How many element-steps there are too many or too few in n steps that begin with one element, and how
+/// many steps.
+fn off_half(found: &Found, n: u64) -> u64 {
+    found.element_steps.abs_diff(n * (n + 1) / 2) + found.steps.abs_diff(n)
 }
 
 /// What is visited of Fig. 3.
@@ -92,4 +97,33 @@ fn quarter(record: &Record) -> Check {
         Bound::AtMost(1e-13),
         "a ratio of counts, rounded",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::precision::stored::stored;
+
+    #[test]
+    fn element_steps_and_steps_are_off_together() {
+        let mut found = stored().series(Problem::Single, FLAGGED)[0].found.clone();
+        (found.steps, found.element_steps) = (7, 28);
+        assert_eq!(off_half(&found, 7), 0);
+        (found.steps, found.element_steps) = (9, 25);
+        assert_eq!(off_half(&found, 7), 5);
+    }
+
+    #[test]
+    fn four_meshes_give_no_power_of_the_cost() {
+        let series = stored().series(Problem::Single, WHOLE);
+        let measured = |meshes: usize| {
+            let count: Count = |found| found.element_steps;
+            power(&series[..meshes], Problem::Single, WHOLE, "element-steps", count).measured
+        };
+        assert!(measured(4).is_nan());
+        for meshes in [5, 6] {
+            // Every element in every step, of which there are two for three elements.
+            assert!((measured(meshes) - 2.0).abs() < 1e-2, "{}", measured(meshes));
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Extrapolation to h → 0, held against known answers, and against itself where there is none.
 
 use crossfibre::discretisation::Discretisation;
-use crossfibre::scene::{Law, Strain};
+use crossfibre::scene::{Law, Scene, Strain};
 use rayon::prelude::*;
 
 use crate::cases::support::{check, refined, shipped};
@@ -134,8 +134,8 @@ fn swinging(record: &Record) -> Vec<Check> {
     ]
 }
 
-/// Mean strains of Fig. 3 with a law that softens: nobody knows the exact ones.
-fn softening(refinement: usize) -> (f64, [f64; 2]) {
+/// Fig. 3 with a law that softens.
+fn softening_scene(refinement: usize) -> Scene {
     let mut scene = shipped("fig3");
     scene.strain = Strain::Engineering;
     let law = Law::Exponential { a: -1.37e9, b: -43.7 };
@@ -145,7 +145,12 @@ fn softening(refinement: usize) -> (f64, [f64; 2]) {
     }
     // The same time on every mesh: 100 steps of the coarsest.
     scene.duration = 100.0 * Discretisation::<f64>::of(&scene).time_step;
-    let scene = refined(scene, refinement);
+    refined(scene, refinement)
+}
+
+/// Its mean strains: nobody knows the exact ones.
+fn softening(refinement: usize) -> (f64, [f64; 2]) {
+    let scene = softening_scene(refinement);
     let length = [scene.primary.length, scene.secondary.as_ref().map_or(f64::NAN, |s| s.length)];
     let result = planted::run(&scene, |_| ());
     let across = result.secondary.map(|fibre| fibre.strain).unwrap_or_default();
@@ -187,4 +192,18 @@ fn unknown() -> Vec<Check> {
             )
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_softening_fibres_are_marched_to_one_time_on_every_mesh() {
+        for refinement in [1, 2, 3, 12] {
+            let scene = softening_scene(refinement);
+            let steps = Discretisation::<f64>::of(&scene).steps(scene.duration);
+            assert_eq!(steps, 100 * refinement as u64);
+        }
+    }
 }

@@ -42,12 +42,17 @@ pub fn whole() -> Vec<Check> {
 
 /// How many numbers of the stored record are not those of these runs, and how many runs it lacks.
 fn departures(tasks: &[Task]) -> f64 {
-    let fresh = Record::computed(tasks);
+    apart(&Record::computed(tasks), stored()) as f64
+}
+
+/// How many numbers of an old record are not those of the runs of a fresh one, and how many of these runs it
+/// lacks.
+fn apart(fresh: &Record, old: &Record) -> usize {
     let kept: Vec<_> = fresh
         .entries
         .iter()
         .filter_map(|fresh| {
-            let old = stored().series(fresh.problem, &fresh.variant);
+            let old = old.series(fresh.problem, &fresh.variant);
             old.into_iter().find(|old| old.refinement == fresh.refinement)
         })
         .collect();
@@ -58,5 +63,49 @@ fn departures(tasks: &[Task]) -> f64 {
         .zip(&kept)
         .map(|(fresh, kept)| differences(&value(fresh), &value(*kept)))
         .sum();
-    (apart + fresh.entries.len() - kept.len()) as f64
+    apart + fresh.entries.len() - kept.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::precision::{VARIANTS, Variant};
+
+    const PAGE: &str = "eqn (4), α = 1";
+    const LONG: &str = "eqn (4), α = 1, 106 bits";
+
+    #[test]
+    fn what_takes_long_is_run_again_on_coarse_meshes_only() {
+        let is_run = |problem, variant, refinement| {
+            again(&Task { problem, variant: Variant::named(variant), refinement })
+        };
+        assert!(is_run(Problem::Single, PAGE, 8.0) && is_run(Problem::Crossed, PAGE, 2.0));
+        for (problem, variant) in
+            [(Problem::Single, LONG), (Problem::Rod, PAGE), (Problem::Unequal, PAGE)]
+        {
+            assert!(is_run(problem, variant, 0.5) && is_run(problem, variant, 1.0));
+            assert!(!is_run(problem, variant, 2.0), "{problem:?} {variant}");
+        }
+    }
+
+    #[test]
+    fn numbers_that_differ_and_runs_that_are_missing_are_counted() {
+        let old = stored();
+        let mut fresh = Record { entries: old.entries[..4].to_vec(), ..old.clone() };
+        assert_eq!(apart(&fresh, old), 0);
+        fresh.entries[1].found.steps += 1;
+        fresh.entries[2].found.time *= 2.0;
+        assert_eq!(apart(&fresh, old), 2);
+        fresh.entries[3].refinement = 0.3;
+        assert_eq!(apart(&fresh, old), 3);
+    }
+
+    #[test]
+    fn a_run_that_the_stored_record_lacks_is_a_departure() {
+        let variant = Variant::named(PAGE);
+        let known = Task { problem: Problem::Single, variant, refinement: 0.2 };
+        let unknown = Task { variant: Variant { name: "another", ..VARIANTS[0] }, ..known };
+        assert_eq!(departures(&[known]), 0.0);
+        assert_eq!(departures(&[known, unknown]), 1.0);
+    }
 }
