@@ -6,13 +6,15 @@
 
 mod cli_support;
 
+use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
 use cli_support::{Ended, assert_snapshot, crossfibre};
 use crossfibre_verification::conform::protocol::Question;
 use crossfibre_verification::conform::questions;
-use crossfibre_verification::conform::record::Report;
+use crossfibre_verification::conform::record::{Report, Verdict};
+use serde_json::json;
 
 /// Judges a shell script, with few questions.
 fn judged(script: &str, more: &[&str]) -> Ended {
@@ -117,14 +119,14 @@ fn what_a_candidate_has_started_is_ended_with_it() {
     let pid = folder.path().join("pid");
     let script = format!("{HELLO}sleep 1000 & echo $! > {}; wait", pid.display());
     assert_eq!(judged(&script, &["--timeout", "0.7"]).code, 4);
-    let child = std::fs::read_to_string(pid).unwrap();
+    let child = fs::read_to_string(pid).unwrap();
     let alive = || Path::new("/proc").join(child.trim()).exists();
     // Ended processes are cleared away by whoever inherits them, which may take a moment.
     let start = Instant::now();
     while Path::new("/proc").exists() && alive() && start.elapsed().as_secs() < 20 {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
-    let state = std::fs::read_to_string(format!("/proc/{}/stat", child.trim())).unwrap_or_default();
+    let state = fs::read_to_string(format!("/proc/{}/stat", child.trim())).unwrap_or_default();
     assert!(state.is_empty() || state.contains(") Z "), "{state}");
 }
 
@@ -153,12 +155,69 @@ fn reports_are_written_whole_and_the_json_reads_back() {
         ],
     );
     assert_eq!(ended.code, 4, "{}", ended.stderr);
-    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
     let report: Report = serde_json::from_str(&read("r.json")).unwrap();
     assert!(!report.conforms && report.failures().count() > 5);
     let failed = report.failures().count();
     assert_eq!(read("j.xml").matches("<failure").count(), failed);
     assert_eq!(read("h.html").matches("<td class=\"text bad\">").count(), failed);
+}
+
+#[test]
+fn json_goes_to_standard_output_or_to_the_file_that_is_named_and_reads_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |more: &[&str]| {
+        let arguments = [&["conform", "--filter", "equation/7/", "--json"], more].concat();
+        let script = format!("{HELLO}while read q; do echo 0.1; done");
+        crossfibre(folder.path(), &[&arguments, &["--", "sh", "-c", &script][..]].concat())
+    };
+    let report = |text: &str| serde_json::from_str::<Report>(text).unwrap();
+    let alone = report(&run(&[]).stdout);
+    let beside = run(&["-o", "r.json"]);
+    let file = report(&fs::read_to_string(folder.path().join("r.json")).unwrap());
+    assert_eq!((file.items.len(), file.conforms), (alone.items.len(), false));
+    assert!(beside.stdout.ends_with("does not conform\n"), "{}", beside.stdout);
+}
+
+/// Every run diverges, if one believes it: two elements of one fibre show that as well. The scene before
+/// is of a law that the candidate does not have, and is not asked for.
+#[test]
+fn the_scene_of_the_first_wrong_run_is_made_smaller_and_reads_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let fibre = json!({"position": [], "velocity": [], "strain": [], "tension": []});
+    let projectile = json!({"velocity": 0, "position": 0});
+    let result = json!({
+        "outcome": {"kind": "diverged"},
+        "steps": 0,
+        "time_step": 0,
+        "primary": fibre,
+        "projectile": projectile,
+    });
+    let id = "id=${q#*:}; id=${id%%,*}";
+    let answer = format!(r#"printf '{{"id":%s,"result":{result}}}\n' "$id""#);
+    let script = format!("{HELLO}while read q; do {id}; {answer}; done");
+    let run = |filter: &str| {
+        let arguments = ["conform", "--filter", filter, "--shrink", "small.json", "-o", "r.json"];
+        crossfibre(folder.path(), &[&arguments[..], &["--", "sh", "-c", &script]].concat())
+    };
+    let small = folder.path().join("small.json");
+
+    let ended = run("equation/7/");
+    assert_eq!(ended.code, 4);
+    assert_eq!(ended.stderr, "no run is wrong: there is no scene to be made smaller\n");
+    assert!(!small.exists());
+
+    // Slack fibres, and sliding ones, of 600 elements and 400.
+    let ended = run("run/sl");
+    assert_eq!(ended.code, 4, "{}", ended.stderr);
+    let report = fs::read_to_string(folder.path().join("r.json")).unwrap();
+    let report: Report = serde_json::from_str(&report).unwrap();
+    let verdicts: Vec<_> = report.items.iter().map(|i| (i.id.as_str(), i.verdict)).collect();
+    assert_eq!(verdicts, [("run/slack", Verdict::Skipped), ("run/sliding", Verdict::Wrong)]);
+    assert_eq!(ended.stderr, "run/sliding with 2 elements in the place of 1000\n");
+    let scene = crossfibre::scene_file::read(&fs::read_to_string(small).unwrap()).unwrap();
+    assert_eq!(scene.title, "run/sliding made smaller while a is wrong");
+    assert_eq!((scene.primary.elements, scene.secondary), (2, None));
 }
 
 /// A name is text, whatever is in it.
@@ -167,7 +226,7 @@ fn a_hostile_name_is_escaped() {
     let folder = tempfile::tempdir().unwrap();
     let name = r#"<script>alert(1)</script>&"]]>"#;
     let hello = serde_json::json!({"id": 0, "format": "crossfibre-conformance/1", "name": name});
-    std::fs::write(folder.path().join("hello"), format!("{hello}\n")).unwrap();
+    fs::write(folder.path().join("hello"), format!("{hello}\n")).unwrap();
     let ended = crossfibre(
         folder.path(),
         &[
@@ -186,7 +245,7 @@ fn a_hostile_name_is_escaped() {
     );
     assert_eq!(ended.code, 4);
     for file in ["j.xml", "h.html"] {
-        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let text = fs::read_to_string(folder.path().join(file)).unwrap();
         assert!(!text.contains("<script") && text.contains("&lt;script"), "{file}");
     }
 }

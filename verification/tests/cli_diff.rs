@@ -137,6 +137,18 @@ fn the_record_is_of_the_type_that_the_schema_describes() {
 }
 
 #[test]
+fn a_tolerance_is_a_number_from_0_up() {
+    let (folder, text) = traced();
+    write(folder.path(), text);
+    for (tolerance, code) in
+        [("0", 0), ("1e-300", 0), ("-1e-300", 1), ("inf", 1), ("-inf", 1), ("a", 1)]
+    {
+        let arguments = ["diff", "a.trace", "b.trace", "--tolerance", tolerance];
+        assert_eq!(crossfibre(folder.path(), &arguments).code, code, "{tolerance}");
+    }
+}
+
+#[test]
 fn one_of_the_two_may_come_from_standard_input() {
     let (folder, text) = traced();
     for (arguments, code) in [(["diff", "-", "a.trace"], 0), (["diff", "a.trace", "-"], 0)] {

@@ -190,4 +190,16 @@ mod tests {
         assert_eq!(evaluate(&paper, 19, &inputs).unwrap_err(), "there is no input c");
         assert!(evaluate(&paper, 21, &inputs).is_err());
     }
+
+    #[test]
+    fn a_vector_has_two_components_or_three() {
+        let paper = Corrected::<Incremental>::new(Corrections::ALL);
+        for count in [1, 4] {
+            let x = vec![0.3; count];
+            let inputs =
+                Inputs::from([("x_ahead".to_owned(), x.clone()), ("x_here".to_owned(), x)]);
+            let error = evaluate(&paper, 5, &inputs).unwrap_err();
+            assert_eq!(error, format!("vectors of {count} components"));
+        }
+    }
 }

@@ -278,3 +278,110 @@ pub fn shortened(line: &str) -> String {
         None => line.to_owned(),
     }
 }
+
+#[cfg(all(test, unix))] // the programs are those of any Unix
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn shell(script: &str) -> Candidate {
+        let command = ["sh", "-c", script].map(OsString::from).into();
+        Candidate::new(command, Duration::from_secs(60))
+    }
+
+    #[test]
+    fn a_program_that_is_asked_no_more_may_end_by_itself() {
+        let folder = tempfile::tempdir().unwrap();
+        let words = folder.path().join("words");
+        let script = format!("read q; echo a; cat; echo over > '{}'", words.display());
+        let mut candidate = shell(&script);
+        assert_eq!(candidate.ask("who".into()).unwrap(), "a");
+        candidate.finish();
+        assert_eq!(std::fs::read_to_string(words).unwrap(), "over\n");
+    }
+
+    #[test]
+    fn a_program_that_does_not_end_is_ended_with_the_candidate() {
+        let proc = Path::new("/proc");
+        for end in [drop as fn(Candidate), Candidate::finish] {
+            let mut candidate = shell("read q; echo $$; sleep 60");
+            let process = candidate.ask("who".into()).unwrap();
+            assert_eq!(proc.join(&process).exists(), proc.exists());
+            end(candidate);
+            assert!(!proc.join(&process).exists());
+        }
+    }
+
+    #[test]
+    fn what_comes_late_is_waited_for_and_what_never_comes_is_given_up() {
+        let mut left = 3;
+        let late = until(|| {
+            left -= 1;
+            (left == 0).then_some(7)
+        });
+        assert_eq!(late, Some(7));
+        let start = Instant::now();
+        assert_eq!(until(|| None::<u8>), None);
+        assert!(start.elapsed() >= GRACE);
+    }
+
+    /// The lines of a reader, each as its length, until it is broken off.
+    fn lengths(from: impl BufRead + Send + 'static) -> (Vec<usize>, Broken) {
+        let (to, lines) = sync_channel(AHEAD);
+        let reader = thread::spawn(move || read_lines(from, &to));
+        let mut lengths = Vec::new();
+        let broken = loop {
+            match lines.recv().unwrap() {
+                Ok(line) => lengths.push(line.len()),
+                Err(broken) => break broken,
+            }
+        };
+        // After that there is nothing.
+        assert!(lines.recv().is_err());
+        reader.join().unwrap();
+        (lengths, broken)
+    }
+
+    #[test]
+    fn a_line_has_an_end_and_is_cut_off_where_it_gets_too_long() {
+        let (found, broken) = lengths(&b"abc\n\nab\nabcd"[..]);
+        assert_eq!(found, [3, 0, 2]);
+        assert!(matches!(broken, Broken::Closed), "{broken}");
+        let (found, broken) = lengths(&b""[..]);
+        assert!(found.is_empty() && matches!(broken, Broken::Closed), "{broken}");
+        let longest = usize::try_from(LONGEST).unwrap();
+        let line = |length| BufReader::new(io::repeat(b'x').take(length).chain(&b"\n"[..]));
+        // The end of the line is one of the bytes.
+        let (found, broken) = lengths(line(LONGEST - 1));
+        assert_eq!(found, [longest - 1]);
+        assert!(matches!(broken, Broken::Closed), "{broken}");
+        let (found, broken) = lengths(line(LONGEST));
+        assert!(found.is_empty() && matches!(broken, Broken::TooLong), "{broken}");
+    }
+
+    #[test]
+    fn when_nobody_listens_no_more_is_read() {
+        let (to, lines) = sync_channel(AHEAD);
+        drop(lines);
+        let mut text = &b"a\nb\nc\n"[..];
+        read_lines(&mut text, &to);
+        assert_eq!(text, b"b\nc\n");
+    }
+
+    #[test]
+    fn of_what_is_written_to_standard_error_the_end_is_kept() {
+        let text = [vec![b'a'; 3000], vec![b'b'; LAST_WORDS - 1]].concat();
+        let words = Mutex::new(VecDeque::new());
+        keep_the_end(&*text, &words);
+        let kept = Vec::from(words.into_inner().unwrap());
+        assert_eq!(kept, text[3000 - 1..]);
+    }
+
+    #[test]
+    fn a_line_is_shortened_to_characters_not_to_bytes() {
+        let line = "×".repeat(120);
+        assert_eq!(shortened(&line), line);
+        assert_eq!(shortened(&format!("{line}×")), format!("{line}…"));
+    }
+}

@@ -115,4 +115,54 @@ mod tests {
         assert!(of(|s| s.corrections == Corrections::NONE) > 15);
         assert!(of(Scene::has_other_laws) >= 50);
     }
+
+    /// A seed draws the same scene first, whichever law it is then given. What a parameter may be follows
+    /// from 0.3 ≤ s < 0.9 and 0.07 ≤ t < 0.93.
+    #[test]
+    fn another_law_has_the_modulus_at_rest_that_was_drawn_and_parameters_in_their_ranges() {
+        let mut kinds = [0; 4];
+        for seed in 0..80 {
+            let linear = scene(&mut SplitMix::new(seed));
+            let other = scene_of_another_law(&mut SplitMix::new(seed));
+            assert_eq!((&other.projectile, other.strain), (&linear.projectile, linear.strain));
+            assert_eq!(other.courant, 0.61 * linear.courant);
+            assert_eq!(other.materials().count(), linear.materials().count());
+            for (other, linear) in other.materials().zip(linear.materials()) {
+                let modulus = linear.instantaneous_modulus();
+                // A product or a sum of two parts, each of them rounded once or twice.
+                let apart = other.instantaneous_modulus() / modulus - 1.0;
+                assert!(apart.abs() < 1e-15, "{other:?} of {modulus}");
+                let is_part = |part: f64| (0.3..0.9).contains(&(part / modulus));
+                match &other.law {
+                    Law::Polynomial { coefficients } => {
+                        kinds[0] += 1;
+                        let [_, second, third] = coefficients[..] else { panic!("{other:?}") };
+                        assert!((-2.07..-0.69).contains(&(second / modulus)), "{other:?}");
+                        assert!((0.497..6.603).contains(&(third / modulus)), "{other:?}");
+                    }
+                    Law::Exponential { b, .. } => {
+                        kinds[1] += 1;
+                        assert!((3.3..9.9).contains(b), "{other:?}");
+                    }
+                    Law::Viscoelastic { arms, .. } => {
+                        kinds[2] += 1;
+                        let [Arm { modulus: arm, relaxation_time }] = arms[..] else {
+                            panic!("{other:?}")
+                        };
+                        assert!(is_part(arm), "{other:?}");
+                        assert!((1.33e-6..17.67e-6).contains(&relaxation_time), "{other:?}");
+                    }
+                    Law::Eyring { modulus: arm, rate, stress, .. } => {
+                        kinds[3] += 1;
+                        assert!(is_part(*arm), "{other:?}");
+                        assert!((91.0..1209.0).contains(rate), "{other:?}");
+                        assert!((1.71e7..5.13e7).contains(stress), "{other:?}");
+                    }
+                    Law::Linear { .. } => panic!("{other:?}"),
+                }
+            }
+        }
+        // Each law is as likely as the others; none in 80 throws would be one chance in 10¹⁰.
+        assert!(kinds.iter().all(|&drawn| drawn > 0), "{kinds:?}");
+    }
 }

@@ -98,3 +98,41 @@ fn failed(failures: &[&ItemRecord]) -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conform::example::{of_everything, report};
+
+    #[test]
+    fn a_page_has_the_verdicts_the_quantities_and_the_failures() {
+        let page = render(&of_everything());
+        for part in [
+            "<h1>&lt;made&gt; up 7</h1>",
+            "<p class=\"bad\"><strong>does not conform: wrong in eqn (7)</strong></p>",
+            "seed 3: <code>./made-up --fast</code>",
+            "<tr><th>bits</th><th>rounding</th><th>wrong</th><th>broken</th><th>skipped</th>\
+             <th>not judged</th></tr>",
+            "<tr><td>1</td><td>1</td><td>3</td><td>1</td><td>2</td><td>1</td></tr>",
+            "<tr class=\"bad\"><td>eqn (7)</td><td class=\"text\">equation</td><td>3</td>\
+             <td>2000</td><td>1999</td><td>0</td><td>3</td><td>1e5</td><td>2.5e-3</td>\
+             <td>1.2e2</td><td>4</td><td>3.0e-4</td><td>0</td>\
+             <td class=\"text\">where eqn (7) is worst</td></tr>",
+            "<tr class=\"\"><td>eqn (8)</td>",
+            "<tr class=\"\"><td>primary strain</td>",
+            "<tr class=\"bad\"><td>energy</td>",
+            "<tr><td>run/late</td><td class=\"text bad\">wrong</td>\
+             <td class=\"text long\">too late</td><td>17</td></tr>",
+            "<li>2 × no eyring law</li><li>1 × over- or underflow</li>",
+        ] {
+            assert!(page.contains(part), "{part}\nis not in\n{page}");
+        }
+    }
+
+    #[test]
+    fn a_page_without_failures_has_no_heading_for_them() {
+        let page = render(&Report { conforms: true, ..report(vec![], vec![]) });
+        assert!(page.contains("<p class=\"good\">"), "{page}");
+        assert!(!page.contains("Failures") && !page.contains("Left out"), "{page}");
+    }
+}

@@ -83,3 +83,84 @@ pub fn conform(
     };
     Ok((report, session))
 }
+
+#[cfg(all(test, unix))] // the program is one of any Unix
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::conform::protocol::Depth;
+
+    /// A program that says this of itself, and then ends every run in a way that there is not.
+    fn interviewed(fields: &str, depth: Depth, filter: &str) -> Report {
+        let script = format!(
+            r#"read q
+            echo '{{"id":0,"format":"crossfibre-conformance/1","name":"a"{fields}}}'
+            fibre='{{"position":[],"velocity":[],"strain":[],"tension":[]}}'
+            rest="\"steps\":0,\"time_step\":0,\"primary\":$fibre"
+            rest="$rest,\"projectile\":{{\"velocity\":0,\"position\":0}}"
+            while read q
+            do
+                id=${{q#*:}}
+                echo "{{\"id\":${{id%%,*}},\"result\":{{\"outcome\":{{\"kind\":\"lost\"}},$rest}}}}"
+            done"#
+        );
+        let options = Options {
+            depths: vec![depth],
+            filter: Some(filter.into()),
+            seed: 1,
+            exact: true,
+            single: false,
+            timeout: Duration::from_secs(600),
+        };
+        let command = ["sh", "-c", script.as_str()].map(OsString::from);
+        let mut told = Vec::new();
+        let start = Instant::now();
+        let (report, _session) =
+            conform(&command, &options, |done, of| told.push((done, of))).unwrap();
+        let elapsed = start.elapsed().as_secs_f64();
+        let count = report.items.len();
+        assert_eq!(told, (0..=count).map(|done| (done, count)).collect::<Vec<_>>());
+        let Seconds { candidate, reference, rest } = report.seconds;
+        assert!(candidate > 0.0 && rest > 0.0, "{candidate} {rest}");
+        // No time is counted twice.
+        assert!(candidate + reference + rest <= elapsed + 1e-9, "{elapsed}: {:?}", report.seconds);
+        report
+    }
+
+    #[test]
+    fn only_what_is_chosen_is_asked_and_who_was_asked_nothing_does_not_conform() {
+        let report = interviewed(r#","depths":[]"#, Depth::Step, "drawn-1");
+        let ids: Vec<_> = report.items.iter().map(|item| item.id.as_str()).collect();
+        let expected = (10..20).map(|k| format!("step/drawn-{k}"));
+        assert_eq!(
+            ids,
+            ["step/drawn-1".to_owned()].into_iter().chain(expected).collect::<Vec<_>>()
+        );
+        assert_eq!(report.count(Verdict::Skipped), ids.len());
+        assert!(!report.conforms);
+    }
+
+    /// 1 and 10 to 19 are eleven. What is wrong at its end is wrong after one step, as every end is.
+    #[test]
+    fn the_first_three_wrong_runs_are_searched_for_the_step_at_which_they_depart() {
+        let report = interviewed(r#","corrections":["all","none"]"#, Depth::Run, "run/drawn-1");
+        assert_eq!(report.count(Verdict::Wrong), 11);
+        let departs: Vec<_> = report.items.iter().map(|item| item.departs_at_step).collect();
+        assert_eq!(departs[..3], [Some(1); 3]);
+        assert_eq!(departs[3..], [None; 8]);
+        assert!(!report.conforms);
+    }
+
+    #[test]
+    fn a_run_that_is_not_wrong_is_not_searched() {
+        let report = interviewed(r#","corrections":["all","none"]"#, Depth::Run, "-8");
+        let found: Vec<_> =
+            report.items.iter().map(|i| (i.id.as_str(), i.verdict, i.departs_at_step)).collect();
+        let expected = [
+            ("run/drawn-8", Verdict::Wrong, Some(1)),
+            ("run/drawn-of-another-law-8", Verdict::Skipped, None),
+        ];
+        assert_eq!(found, expected);
+    }
+}

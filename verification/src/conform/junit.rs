@@ -43,3 +43,30 @@ fn status(item: &ItemRecord) -> TestCaseStatus {
     });
     status
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conform::example::of_everything;
+
+    #[test]
+    fn every_question_is_a_test_with_what_became_of_it() {
+        let text = render(&of_everything()).unwrap();
+        for part in [
+            "name=\"crossfibre conform &lt;made&gt; up\" tests=\"9\" skipped=\"3\" failures=\"3\" \
+             errors=\"1\"",
+            "<testsuite name=\"equation\" tests=\"3\"",
+            "<testsuite name=\"step\" tests=\"2\"",
+            "<testsuite name=\"run\" tests=\"4\"",
+            "<testcase name=\"run/huge\" classname=\"conform.run\"",
+            "<failure message=\"a sign\"/>",
+            "<failure message=\"too late; wrong from step 17 on\"/>",
+            "<error message=\"it ended\"/>",
+            "<skipped message=\"over- or underflow\"/>",
+        ] {
+            assert!(text.contains(part), "{part}\nis not in\n{text}");
+        }
+        let count = |what: &str| text.matches(what).count();
+        assert_eq!((count("<testcase"), count("<skipped"), count("<failure")), (9, 3, 3));
+    }
+}

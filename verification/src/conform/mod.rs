@@ -4,6 +4,8 @@ pub mod by_name;
 pub mod candidate;
 pub mod compare;
 pub mod draw;
+#[cfg(test)]
+mod example;
 pub mod expected;
 pub mod html;
 pub mod interview;

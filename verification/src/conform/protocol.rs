@@ -340,4 +340,19 @@ mod tests {
         let text = serde_json::to_string(&Question { id: 0, ask }).unwrap();
         assert_eq!(text, r#"{"id":0,"ask":"hello","format":"crossfibre-conformance/1"}"#);
     }
+
+    #[test]
+    fn a_number_is_one_and_any_other_count_is_a_vector() {
+        let value = |numbers: &[f64]| serde_json::to_string(&Value::of(numbers)).unwrap();
+        assert_eq!(value(&[0.3]), "0.3");
+        assert_eq!(value(&[0.3, 0.7]), "[0.3,0.7]");
+        assert_eq!(value(&[]), "[]");
+    }
+
+    #[test]
+    fn a_depth_has_the_name_that_messages_have() {
+        for depth in Depth::ALL {
+            assert_eq!(serde_json::to_value(depth).unwrap(), depth.name());
+        }
+    }
 }

@@ -237,4 +237,40 @@ mod tests {
         assert!(!single.contains(&"equation/2/3d/corrected/awkward-1"));
         assert!(single.iter().all(|id| !id.contains("printed")));
     }
+
+    #[test]
+    fn why_a_candidate_is_not_asked_is_said() {
+        let items = all(1);
+        let reason = |id: &str, fields: &str| {
+            let item = items.iter().find(|item| item.id == id).unwrap();
+            unsupported(item, &hello(fields))
+        };
+        let says = |reason: &str| Some(reason.to_owned());
+        let corrected = "equation/7/corrected/awkward-1";
+        assert_eq!(reason(corrected, ""), None);
+        assert_eq!(reason("equation/7/printed/awkward-1", ""), says("no printed equations"));
+        let printed_alone = r#","corrections":["none"]"#;
+        assert_eq!(reason(corrected, printed_alone), says("no corrected equations"));
+        // Strain is measured by (4), and how is no matter to the other equations.
+        let by_length = r#","strain":["engineering"]"#;
+        assert_eq!(reason(corrected, by_length), None);
+        assert_eq!(reason("equation/4/engineering/awkward-1", by_length), None);
+        assert_eq!(
+            reason("equation/4/corrected/awkward-1", by_length),
+            says("not this measure of strain")
+        );
+        assert_eq!(reason("run/fig3", by_length), says("not this measure of strain"));
+        assert_eq!(reason("run/fig3", r#","dimensions":[2]"#), says("no dimension 3"));
+        assert_eq!(reason("run/eyring", ""), says("no eyring law"));
+        assert_eq!(reason("run/fig3", r#","depths":["step"]"#), says("no depth run"));
+
+        // A record of a state has no room for what an arm remembers.
+        let scene = shipped("viscoelastic");
+        let start = at_impact(&scene, Wavefront::Flagged);
+        let item = step("viscoelastic", scene, &start);
+        assert_eq!(
+            unsupported(&item, &hello(r#","laws":["viscoelastic"]"#)),
+            says("a state does not say what a law remembers")
+        );
+    }
 }

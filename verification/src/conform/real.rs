@@ -97,4 +97,14 @@ mod tests {
             assert!(serde_json::from_str::<Real>(bad).is_err(), "{bad}");
         }
     }
+
+    #[test]
+    fn what_is_expected_of_a_number_is_said_and_a_plain_one_is_read_like_it() {
+        let error = serde_json::from_str::<Real>("null").unwrap_err().to_string();
+        assert!(error.contains("expected a number, \"inf\", \"-inf\" or \"NaN\""), "{error}");
+        for (text, x) in [("0.7", 0.7), ("\"-inf\"", f64::NEG_INFINITY)] {
+            let from = &mut serde_json::Deserializer::from_str(text);
+            assert_eq!(plain::deserialize(from).unwrap(), x);
+        }
+    }
 }

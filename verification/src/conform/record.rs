@@ -227,3 +227,111 @@ impl Row {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conform::example::of_everything;
+
+    #[test]
+    fn verdicts_are_counted_by_their_names() {
+        let report = of_everything();
+        let counts = Verdict::ALL.map(|verdict| (verdict.name(), report.count(verdict)));
+        let expected = [
+            ("bits", 1),
+            ("rounding", 1),
+            ("wrong", 3),
+            ("broken", 1),
+            ("skipped", 2),
+            ("not judged", 1),
+        ];
+        assert_eq!(counts, expected);
+        let failures: Vec<_> = report.failures().map(|item| item.id.as_str()).collect();
+        assert_eq!(failures, ["equation/off", "equation/off-too", "step/none", "run/late"]);
+    }
+
+    /// Of a quantity whose number is so many envelopes of 0.5 off; those of `0.0` are equal.
+    fn judged(quantity: &str, envelopes: f64, place: &str) -> Judged {
+        Judged {
+            quantity: quantity.into(),
+            values: 3,
+            same: if envelopes > 0.0 { 2 } else { 3 },
+            ulps: vec![0, 0, (16.0 * envelopes) as u64],
+            worst: 0.5 * envelopes,
+            relative: 0.25 * envelopes,
+            envelopes,
+            allowed: 8.0,
+            place: place.into(),
+            expected: 4.0,
+            found: 4.0 + 0.5 * envelopes,
+        }
+    }
+
+    #[test]
+    fn a_row_sums_up_a_quantity_at_a_depth_and_tells_the_first_of_its_worst() {
+        let mut rows = Rows::default();
+        for (depth, id, judged) in [
+            (Depth::Step, "step/a", judged("energy", 0.0, "")),
+            (Depth::Run, "run/a", judged("energy", 0.0, "")),
+            (Depth::Equation, "equation/a", judged("eqn (4)", 2.0, "")),
+            (Depth::Run, "run/a", judged("tension", 2.0, "node 1")),
+            (Depth::Run, "run/b", judged("tension", 16.0, "node 2")),
+            (Depth::Run, "run/c", judged("tension", 16.0, "node 3")),
+            (Depth::Run, "run/d", judged("tension", 1.0, "node 4")),
+        ] {
+            rows.add(depth, id, judged);
+        }
+        let rows = rows.finish();
+        let names: Vec<_> = rows.iter().map(|r| (r.depth, r.quantity.as_str())).collect();
+        // By depth, and there in the order in which they came.
+        let expected = [
+            (Depth::Equation, "eqn (4)"),
+            (Depth::Step, "energy"),
+            (Depth::Run, "energy"),
+            (Depth::Run, "tension"),
+        ];
+        assert_eq!(names, expected);
+        let (of_equation, of_equal_bits, tension) = (&rows[0], &rows[1], &rows[3]);
+        assert_eq!(of_equation.worst_at, "equation/a");
+        assert_eq!((of_equal_bits.same, of_equal_bits.values), (3, 3));
+        assert_eq!((of_equal_bits.worst_at.as_str(), of_equal_bits.expected), ("", Real(0.0)));
+        assert_eq!((tension.questions, tension.values, tension.same), (4, 12, 8));
+        assert_eq!(tension.worst_at, "run/b, node 2");
+        assert_eq!((tension.relative, tension.envelopes), (Real(4.0), Real(16.0)));
+        assert_eq!((tension.expected, tension.found), (Real(4.0), Real(12.0)));
+        // Of 16 envelopes of 0.5 rounding explains 8.
+        assert_eq!((tension.rounding, tension.not_rounding), (Real(4.0), Real(4.0)));
+        // Sorted: eight times 0, then 16, 32, and 256 twice.
+        assert_eq!(tension.ulps, [0, 256, 256]);
+        assert_eq!(of_equation.ulps, [0, 32, 32]);
+    }
+
+    #[test]
+    fn of_many_numbers_the_distances_are_told_of_a_half_of_almost_all_and_of_all() {
+        let ulps = (0..=1000).rev().collect();
+        let judged = Judged { values: 1001, ulps, ..judged("tension", 2.0, "node 1") };
+        let mut rows = Rows::default();
+        rows.add(Depth::Run, "run/a", judged);
+        assert_eq!(rows.finish()[0].ulps, [500, 990, 1000]);
+    }
+
+    #[test]
+    fn a_row_is_wrong_beyond_what_is_allowed_or_by_a_bit_if_bits_are_demanded() {
+        let row = |envelopes| {
+            let mut rows = Rows::default();
+            rows.add(Depth::Run, "run/a", judged("tension", envelopes, ""));
+            rows.finish().remove(0)
+        };
+        for (envelopes, exact, wrong) in [
+            (0.0, false, false),
+            (0.0, true, false),
+            (0.5, false, false),
+            (0.5, true, true),
+            (8.0, false, false),
+            (8.5, false, true),
+            (8.5, true, true),
+        ] {
+            assert_eq!(row(envelopes).is_wrong(exact), wrong, "{envelopes} {exact}");
+        }
+    }
+}

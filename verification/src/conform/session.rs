@@ -222,3 +222,66 @@ fn with_last_words(broken: &Broken, candidate: &Candidate) -> String {
         None => broken.to_string(),
     }
 }
+
+#[cfg(all(test, unix))] // the programs are those of any Unix
+mod tests {
+    use crossfibre::scene::{Law, Primary};
+
+    use super::*;
+    use crate::cases::support::shipped;
+
+    fn started(single: bool, script: &str) -> Result<Session> {
+        let options = Options {
+            depths: vec![],
+            filter: None,
+            seed: 1,
+            exact: false,
+            single,
+            timeout: Duration::from_secs(600),
+        };
+        Session::start(&["sh", "-c", script].map(OsString::from), &options)
+    }
+
+    const HELLO: &str =
+        r#"read q; echo '{"id":0,"format":"crossfibre-conformance/1","name":"a"}';"#;
+
+    #[test]
+    fn a_candidate_of_doubles_is_not_judged_as_one_of_single_numbers() {
+        let error = started(true, HELLO).err().unwrap().to_string();
+        assert!(error.starts_with("sh: computes in f64, and nothing would fail"), "{error}");
+        assert!(started(false, HELLO).is_ok());
+    }
+
+    /// A wave speed of 1 m/s, elements of 2 m, and a law that outgrows the step in the first one: how
+    /// long it is to run makes no difference, but to a candidate that says otherwise beyond 23 s.
+    #[test]
+    fn the_step_at_which_a_run_departs_is_found_by_halving() {
+        let mut scene = Scene { duration: 40.0, ..shipped("single-400") };
+        scene.primary = Primary {
+            length: 12.0,
+            elements: 6,
+            density: 1.0,
+            area: 1.0,
+            material: Law::Polynomial { coefficients: vec![1.0, 1e6] }.into(),
+        };
+        scene.projectile.velocity = 1e-3;
+        let script = r#"
+            fibre='{"position":[],"velocity":[],"strain":[],"tension":[]}'
+            rest="\"steps\":0,\"time_step\":0,\"primary\":$fibre"
+            rest="$rest,\"projectile\":{\"velocity\":0,\"position\":0}"
+            while read q
+            do
+                id=${q#*:}
+                duration=${q#*duration\":}
+                end=courant_exceeded
+                if [ "${duration%%.*}" -gt 23 ]; then end=completed; fi
+                echo "{\"id\":${id%%,*},\"result\":{\"outcome\":{\"kind\":\"$end\"},$rest}}"
+            done"#;
+        let mut session = started(false, &format!("{HELLO}{script}")).unwrap();
+        assert_eq!(session.is_wrong(&scene), Some(true));
+        assert_eq!(session.is_wrong(&up_to(&scene, 11, 2.0)), Some(false));
+        // Twelve steps of 2 s are the first that take longer.
+        assert_eq!(session.departs(&scene), Some(12));
+        assert!(session.reference > Duration::ZERO);
+    }
+}

@@ -130,6 +130,7 @@ fn round(scene: &Scene, number: fn(&mut Scene) -> &mut f64) -> Option<Scene> {
 mod tests {
     use super::*;
     use crate::cases::support::shipped;
+    use crate::conform::session::up_to;
 
     #[test]
     fn a_scene_shrinks_to_what_the_fault_needs() {
@@ -171,5 +172,77 @@ mod tests {
             true
         });
         assert_eq!(tried, 4);
+    }
+
+    fn count_of_steps(scene: &Scene) -> u64 {
+        Discretisation::<f64>::of(scene).steps(scene.duration)
+    }
+
+    #[test]
+    fn all_that_is_not_needed_goes_in_the_end() {
+        // Another law and all else that is not the simplest, of which only the crossing fibre matters.
+        let mut scene = shipped("viscoelastic");
+        scene.strain = Strain::Engineering;
+        let small = shrink(&scene, 1000, |scene| scene.secondary.is_some());
+        let secondary = small.secondary.as_ref().unwrap();
+        assert_eq!((count_of_steps(&small), secondary.elements), (1, 2));
+        assert_eq!((small.projectile.mass, small.strain), (None, Strain::Incremental));
+        assert!(!small.has_other_laws());
+        assert_eq!((secondary.slide_factor, secondary.density), (1.0, small.primary.density));
+        assert_eq!(secondary.material, small.primary.material);
+        assert_eq!((small.projectile.velocity, small.courant), (320.0, 0.94));
+        // 317 m/s and 0.937 before that.
+        assert_eq!((scene.projectile.velocity, scene.courant), (317.0, 0.937));
+    }
+
+    /// A fault that needs five steps as long as the projectile has a mass: that the mass can go is seen
+    /// after no fewer steps would do.
+    #[test]
+    fn what_becomes_possible_by_a_later_change_is_tried_again() {
+        let scene = shipped("finite-projectile");
+        assert!(scene.projectile.mass.is_some() && count_of_steps(&scene) > 5);
+        let shows = |scene: &Scene| scene.projectile.mass.is_none() || count_of_steps(scene) >= 5;
+        let small = shrink(&scene, 1000, shows);
+        assert_eq!((small.projectile.mass, count_of_steps(&small)), (None, 1));
+    }
+
+    #[test]
+    fn fewer_elements_are_a_shorter_fibre_of_two_at_least_that_reaches_the_crossover() {
+        let mut scene = shipped("fig3");
+        (scene.primary.length, scene.primary.elements) = (0.5, 8);
+        let at = |at: f64, scene: &Scene| {
+            let mut scene = scene.clone();
+            scene.secondary.as_mut().unwrap().at = at;
+            scene
+        };
+        let shorter = primary_elements(&at(0.2, &scene), |n| n / 2).unwrap().primary;
+        assert_eq!((shorter.length, shorter.elements), (0.25, 4));
+        assert_eq!(primary_elements(&at(0.25, &scene), |n| n / 2), None);
+        assert_eq!(primary_elements(&at(0.3, &scene), |n| n / 2), None);
+        scene.secondary.as_mut().unwrap().elements = 3;
+        let two = secondary_elements(&scene, |n| n - 1).unwrap().secondary.unwrap();
+        assert_eq!(two.elements, 2);
+        assert_eq!(secondary_elements(&scene, |n| n / 2), None);
+        scene.secondary = None;
+        assert_eq!(secondary_elements(&scene, |n| n / 2), None);
+        let elements =
+            |fewer: fn(usize) -> usize| primary_elements(&scene, fewer).map(|s| s.primary.elements);
+        assert_eq!((elements(|_| 2), elements(|_| 1)), (Some(2), None));
+    }
+
+    #[test]
+    fn a_change_that_changes_nothing_is_none() {
+        let scene = shipped("fig3");
+        assert_eq!(changed(&scene, |scene| scene.strain = Strain::Incremental), None);
+        let other = changed(&scene, |scene| scene.strain = Strain::Engineering).unwrap();
+        assert_eq!(other.strain, Strain::Engineering);
+        assert_eq!(round(&scene, |scene| &mut scene.projectile.velocity), None); // 400
+        let round = round(&scene, |scene| &mut scene.primary.density).unwrap(); // 1206.7
+        assert_eq!(round.primary.density, 1200.0);
+        let one = up_to(&scene, 1, Discretisation::of(&scene).time_step);
+        assert_eq!(steps(&one, |steps| steps - 1), None);
+        let two = up_to(&scene, 2, Discretisation::of(&scene).time_step);
+        assert_eq!(steps(&two, |steps| steps - 1).map(|scene| count_of_steps(&scene)), Some(1));
+        assert_eq!(materials(&mut scene.clone()).count(), 2);
     }
 }

@@ -188,3 +188,115 @@ pub fn left_out(report: &Report) -> Vec<String> {
     }
     reasons.into_iter().map(|(reason, count)| format!("{count} × {reason}")).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conform::example::{item, of_everything, report};
+
+    /// The lines, with one space for any number of them.
+    fn lines(report: &Report) -> Vec<String> {
+        let text = Text(report).to_string();
+        text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    }
+
+    #[test]
+    fn a_report_has_its_table_its_failures_and_what_was_left_out() {
+        let found = lines(&of_everything());
+        let (head, rest) = found.split_at(4);
+        assert_eq!(head[0], "<made> up 7, held against crossfibre 0.1.0");
+        assert_eq!(head[1], "");
+        assert!(head[2].starts_with("equal ULP: half") && head[3].starts_with("numbers bits"));
+        assert_eq!(
+            rest,
+            [
+                "equation",
+                // All but one of 2000 is not all; of equal bits there is no difference to tell.
+                "eqn (7) 2000 99.9 % WRONG 0 3 1e5 2.5e-3 1.2e2",
+                "most at where eqn (7) is worst",
+                "eqn (8) 12 all 0 0 0",
+                "step",
+                "primary strain 40 25.0 % 1 99999 1e5 2.5e-3 0.50",
+                "run",
+                "primary tension 40 0.0 % WRONG 1 2 3 2.5e-3 1.0e2",
+                "most at where primary tension is worst",
+                "energy 3 0.0 % WRONG 7 NaN NaN 2.5e-3 infinite",
+                "most at where energy is worst",
+                "an envelope is what rounding explains; beyond 4 of an equation, 8 of others: wrong",
+                "",
+                "wrong equation/off and 1 more: a sign",
+                "broken step/none: it ended",
+                "wrong run/late: too late",
+                "wrong from step 17 on",
+                "",
+                "left out: 2 × no eyring law; 1 × over- or underflow",
+                "",
+                "9 questions, seed 3: 1 bits, 1 rounding, 3 wrong, 1 broken, 2 skipped, 1 not judged",
+                "does not conform: wrong in eqn (7)",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_part_of_a_report_that_has_nothing_to_say_is_not_there() {
+        let equal = item("equation/equal", Depth::Equation, Verdict::Bits, None);
+        let mut all_equal = report(vec![equal], vec![]);
+        all_equal.conforms = true;
+        assert_eq!(
+            lines(&all_equal),
+            [
+                "<made> up 7, held against crossfibre 0.1.0",
+                "",
+                "1 questions, seed 3: 1 bits",
+                "conforms: equal to the bit in everything that was asked",
+            ]
+        );
+        let near = item("equation/near", Depth::Equation, Verdict::Rounding, None);
+        all_equal.items.push(near);
+        assert_eq!(conclusion(&all_equal), "conforms: what differs is rounding");
+    }
+
+    #[test]
+    fn twelve_failures_are_shown_and_more_are_counted() {
+        let failure = |k: usize| {
+            let reason = format!("reason {k}");
+            item(&format!("run/{k}"), Depth::Run, Verdict::Wrong, Some(&reason))
+        };
+        let text = |count| lines(&report((1..=count).map(failure).collect(), vec![]));
+        let twelve = text(12);
+        assert_eq!(twelve[2], "wrong run/1: reason 1");
+        assert_eq!(
+            twelve[13..],
+            [
+                "wrong run/12: reason 12",
+                "",
+                "12 questions, seed 3: 12 wrong",
+                // No quantity was judged that could be named.
+                "does not conform",
+            ]
+        );
+        assert_eq!(text(14)[13..15], ["wrong run/12: reason 12", "… and 2 more"]);
+    }
+
+    #[test]
+    fn who_is_wrong_is_told_where_first_and_who_was_asked_nothing_so() {
+        let mut of_runs = of_everything();
+        of_runs.quantities.retain(|row| row.depth == Depth::Run);
+        assert_eq!(
+            conclusion(&of_runs),
+            "does not conform: first wrong at the depth of a run, in primary tension, energy"
+        );
+        let skipped = item("run/eyring", Depth::Run, Verdict::Skipped, Some("no eyring law"));
+        assert_eq!(
+            conclusion(&report(vec![skipped], vec![])),
+            "does not conform: nothing was asked that it supports"
+        );
+    }
+
+    #[test]
+    fn of_a_candidate_that_has_to_be_equal_every_row_that_is_not_is_wrong() {
+        let exact = Report { exact: true, ..of_everything() };
+        let wrong = lines(&exact).iter().filter(|line| line.contains("WRONG")).count();
+        assert_eq!(wrong, 4); // all but eqn (8)
+    }
+}

@@ -101,6 +101,8 @@ impl<R: Read> Lines<R> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::VecDeque;
+
     use super::*;
 
     /// Gives a few bytes at a time, as a pipe may.
@@ -148,5 +150,48 @@ mod tests {
         let text = [vec![b'y'; 40], b"\n".to_vec()].concat();
         assert!(Lines::of(&*text).advance(40).unwrap());
         assert!(matches!(Lines::of(&*text).advance(39), Err(Trouble::TooLong)));
+    }
+
+    /// What a reader gives, one after the other.
+    struct Told(VecDeque<Result<&'static [u8], ErrorKind>>);
+
+    impl Read for Told {
+        fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+            let bytes = self.0.pop_front().unwrap_or(Ok(b""))?;
+            to[..bytes.len()].copy_from_slice(bytes);
+            Ok(bytes.len())
+        }
+    }
+
+    #[test]
+    fn an_interrupted_reader_is_asked_again_and_one_that_fails_is_not() {
+        let interrupted = Err(ErrorKind::Interrupted);
+        let pieces: [&[u8]; 2] = [b"ab", b"c\nd"];
+        let [first, second] = pieces.map(Ok);
+        let told = [interrupted, first, interrupted, interrupted, second];
+        let mut lines = Lines::of(Told(told.into()));
+        assert!(lines.advance(3).unwrap());
+        assert_eq!(lines.line(), b"abc");
+        let told = [first, Err(ErrorKind::BrokenPipe)];
+        let trouble = Lines::of(Told(told.into())).advance(3).unwrap_err();
+        assert!(matches!(&trouble, Trouble::Io(e) if e.kind() == ErrorKind::BrokenPipe));
+    }
+
+    #[test]
+    fn a_line_of_the_limit_may_have_its_end_in_the_next_piece() {
+        let pieces: [&[u8]; 2] = [b"abc", b"\n"];
+        assert!(Lines::of(Told(pieces.map(Ok).into())).advance(3).unwrap());
+    }
+
+    #[test]
+    fn memory_grows_by_doubling_and_only_for_a_line_that_needs_it() {
+        let text = [vec![b'x'; 999], b"\n".to_vec()].concat().repeat(5 * BUFFER / 1000);
+        let mut lines = Lines::of(&*text);
+        while lines.advance(1000).unwrap() {}
+        assert_eq!((lines.number(), lines.buffer.len()), (5 * BUFFER as u64 / 1000, BUFFER));
+        // Full twice over without the end of a line, and only then too long.
+        let mut endless = Lines::of(io::repeat(b'x'));
+        assert!(endless.advance(2 * BUFFER).is_err());
+        assert_eq!(endless.buffer.len(), 4 * BUFFER);
     }
 }

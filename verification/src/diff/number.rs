@@ -218,4 +218,36 @@ mod tests {
         assert!(Number::sum(3e-18, 0.1).is_same(a));
         assert!(Number::sum(0.1, 0.0).is_same(Number::of(0.1)));
     }
+
+    #[test]
+    fn either_number_may_be_the_one_that_is_not_finite() {
+        let loose = Tolerance { relative: Some(f64::MAX), ulp: Some(u64::MAX) };
+        for (a, b) in [(f64::INFINITY, f64::MAX), (f64::MAX, f64::INFINITY)] {
+            assert!(!apart(&[a], &[b], loose).agrees, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn just_the_tolerance_is_within_it_and_every_component_has_to_be() {
+        let half = Tolerance { relative: Some(0.5), ulp: None };
+        assert!(apart(&[1.0], &[0.5], half).agrees);
+        assert!(!apart(&[1.0], &[0.25], half).agrees);
+        // The largest component is 1: the differences are 0.75 and 0.25.
+        for (a, b) in [([1.0, 0.5], [0.25, 0.25]), ([0.5, 1.0], [0.25, 0.25])] {
+            assert!(!apart(&a, &b, half).agrees, "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn a_number_is_written_as_what_it_is() {
+        let sum = Sum { hi: 0.1, lo: 3e-18 };
+        for (number, written) in [
+            (Number::of(0.1), trace_line::Number::Finite(0.1)),
+            (Number::sum(0.1, 3e-18), trace_line::Number::Sum(sum)),
+            (Number::of(f64::INFINITY), trace_line::Number::Other(NotFinite::Infinity)),
+            (Number::of(-f64::INFINITY), trace_line::Number::Other(NotFinite::NegativeInfinity)),
+        ] {
+            assert_eq!(trace_line::Number::from(number), written);
+        }
+    }
 }

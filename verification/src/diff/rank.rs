@@ -137,4 +137,23 @@ mod tests {
         let at_rest = Place { step: 0, fibre: primary, index: 3 };
         assert_eq!(Rank::of(At { place: at_rest, equation: 4 }, false), None);
     }
+
+    #[test]
+    fn what_is_of_the_first_node_alone_is_of_no_other() {
+        let rank = |equation, fibre, index| {
+            let both_at_impact = true;
+            Rank::of(At { place: Place { step: 7, fibre, index }, equation }, both_at_impact)
+        };
+        for (equation, fibre) in [
+            (8, Fibre::Primary),
+            (9, Fibre::Secondary),
+            (10, Fibre::Secondary),
+            (11, Fibre::Secondary),
+            (12, Fibre::Secondary),
+            (14, Fibre::Secondary),
+        ] {
+            assert!(rank(equation, fibre, 0).is_some(), "{equation}");
+            assert_eq!(rank(equation, fibre, 1), None, "{equation}");
+        }
+    }
 }

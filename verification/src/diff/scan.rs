@@ -297,4 +297,30 @@ mod tests {
             assert!(read(&LINE[..end]).is_none(), "{}", &LINE[..end]);
         }
     }
+
+    #[test]
+    fn infinity_is_read_by_its_name() {
+        let line = LINE.replacen("NaN", "inf", 1);
+        let (_, rest) = head(line.as_bytes()).unwrap();
+        let mut quantities = Quantities::default();
+        quantities.read(line.as_bytes(), rest).unwrap();
+        let v = quantities.find(line.as_bytes(), b"v", 2).unwrap();
+        assert!(v.numbers[1].is_same(Number::of(f64::INFINITY)), "{v:?}");
+    }
+
+    #[test]
+    fn a_hundred_quantities_are_not_too_many_and_one_more_is() {
+        for (inputs, too_many) in [(99, false), (100, true)] {
+            let more: String = (1..inputs).map(|k| format!("\"i{k}\":0.3,")).collect();
+            let line = format!(
+                r#"{{"step":7,"fibre":"primary","index":1,"eq":"7","in":{{{more}"E":1}},"out":1}}"#
+            );
+            let (_, rest) = head(line.as_bytes()).unwrap();
+            let mut quantities = Quantities::default();
+            quantities.read(line.as_bytes(), rest).unwrap();
+            // The output is one of them.
+            assert_eq!(quantities.all(line.as_bytes()).len(), inputs + 1);
+            assert_eq!(quantities.are_too_many(), too_many);
+        }
+    }
 }

@@ -271,6 +271,112 @@ fn a_choice_and_the_first_difference_read_no_more_than_is_wanted() {
     assert_eq!(sum(&first, |tally| tally.events), 53);
 }
 
+#[test]
+fn a_fault_is_where_the_editions_differ_only_if_they_differ_there() {
+    let b = with(LENGTH, OUTPUT.0, OUTPUT.1);
+    let of_7 = b.replacen("{E} * {strain}", "{strain} * {E}", 1);
+    let record = compared(GOLDEN, &of_7);
+    assert_eq!(record.header.equations, [7]);
+    assert!(record.verdict.ends_with("the fault is in (6)"), "{}", record.verdict);
+    let of_6 = b.replacen("({x_ahead} + {v_ahead} * {dt})", "({v_ahead} * {dt} + {x_ahead})", 1);
+    let record = compared(GOLDEN, &of_6);
+    assert_eq!(record.header.equations, [6]);
+    let verdict = "the fault is in (6), where the editions differ";
+    assert!(record.verdict.ends_with(verdict), "{}", record.verdict);
+}
+
+#[test]
+fn of_inputs_those_beyond_the_tolerance_are_blamed() {
+    let b = with(
+        LENGTH,
+        "4.71629517434639e-6],\"v_here\":[-34.05606540204146,4.5690945798942275],\"dt\":7.17498260810583e-6",
+        "4.71629517434638e-6],\"v_here\":[-34.05606540204146,4.5690945798942275],\"dt\":7.2e-6",
+    );
+    let tolerance = Tolerance { relative: Some(1e-3), ulp: None };
+    let record = read(GOLDEN, &b, Options { tolerance, ..Options::default() }).unwrap();
+    // 0.02501739 of 7.2 are 3.47e-3.
+    assert_eq!(
+        record.verdict,
+        "first difference: eqn (6), step 3, primary element 1, inputs already differ \
+         (dt, 3.5e-3 relative): the fault is before (6)"
+    );
+    assert_eq!(record.notes, ["dt: set up from the scene before the first step"]);
+}
+
+#[test]
+fn inputs_of_one_origin_are_noted_together_and_that_the_scenes_differ_is_noted() {
+    let other = LENGTH
+        .replacen("[0.09999999999999999,0.0]", "[0.1,0.0]", 1)
+        .replacen("[0.04991783437967817,4.71629517434639e-6]", "[0.05,4.7e-6]", 1)
+        .replacen("7.17498260810583e-6", "7.2e-6", 1);
+    let b = with(LENGTH, LENGTH, &other).replacen("\"elements\":6", "\"elements\":7", 1);
+    let notes: Vec<_> = compared(GOLDEN, &b).notes;
+    let [positions, time_step] = &notes[..] else { panic!("{notes:?}") };
+    assert!(positions.starts_with("x_ahead, x_here: a position, moved by"), "{positions}");
+    assert_eq!(time_step, "dt: set up from the scene before the first step; the scenes differ");
+}
+
+#[test]
+fn what_is_not_finite_and_a_sign_of_zero_are_named_so() {
+    let record = compared(GOLDEN, &with(LENGTH, OUTPUT.0, "\"out\":\"NaN\""));
+    assert_eq!(
+        record.verdict,
+        "first difference: eqn (6), step 3, primary element 1, not finite in one, inputs equal: \
+         the fault is in (6)"
+    );
+    let b = with(LENGTH, "[0.09999999999999999,0.0]", "[0.09999999999999999,-0.0]");
+    assert_eq!(
+        compared(GOLDEN, &b).verdict,
+        "first difference: eqn (6), step 3, primary element 1, inputs already differ \
+         (x_ahead, the sign of zero): the fault is before (6)"
+    );
+}
+
+#[test]
+fn other_quantities_come_before_other_numbers_and_a_vector_of_one_is_no_number() {
+    let line = line_of(3, "primary", 1, 4);
+    let other = with(line, "\"L\":0.05", "\"L\":0.07").replacen(
+        r#""index":1,"eq":"4","in":{"strain_before":0.0016433168478258153"#,
+        r#""index":1,"eq":"4","in":{"strain_past":0.0016433168478258153"#,
+        1,
+    );
+    assert_eq!(
+        compared(GOLDEN, &other).verdict,
+        "first difference: eqn (4), step 3, primary element 1, not the same quantities \
+         (only A has strain_before; only B has strain_past): the scenes or the editions differ"
+    );
+    let b = with(LENGTH, "[0.09999999999999999,0.0]", "[0.09999999999999999]");
+    let first = compared(GOLDEN, &b).first_difference.unwrap();
+    let of_one = trace_line::Value::Vector(vec![Number::Finite(0.09999999999999999)]);
+    assert_eq!(first.quantities[0].b, Some(of_one));
+}
+
+/// A line of the same bytes in both is not read, unless it might be none.
+#[test]
+fn what_is_wrong_in_both_traces_is_wrong() {
+    let twice = |bytes: String| read(&bytes, &bytes, Options::default()).unwrap_err().to_string();
+    let error = twice(with(LENGTH, "\"dt\"", "\"Δt\""));
+    assert!(error.starts_with("a.trace:54: an input whose name is not of plain"), "{error}");
+    let error = twice(GOLDEN.replacen(LENGTH, &format!("{LENGTH}x"), 1));
+    assert!(error.starts_with("a.trace:54: not JSON"), "{error}");
+}
+
+#[test]
+fn an_event_of_far_more_inputs_than_any_equation_has_is_refused() {
+    let more: String = (0..100).map(|k| format!("\"i{k}\":0.3,")).collect();
+    let b = with(LENGTH, "\"dt\"", &format!("{more}\"dt\""));
+    let error = read(GOLDEN, &b, Options::default()).unwrap_err().to_string();
+    assert_eq!(error, "b.trace:54: too many inputs");
+}
+
+#[test]
+fn half_of_what_an_event_has_does_not_make_a_first_line_one() {
+    for line in ["{\"eq\":\"7\"}\n", "{\"out\":0.3}\n"] {
+        let error = read(GOLDEN, line, Options::default()).unwrap_err().to_string();
+        assert!(error.starts_with("b.trace:1: no header of a trace"), "{error}");
+    }
+}
+
 /// What is wrong, where, and some words of what is said of it.
 #[test]
 fn a_malformed_trace_is_refused_with_its_line() {

@@ -127,3 +127,22 @@ fn relative(of: Option<Number>) -> String {
         None => "–".into(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace_line::NotFinite;
+
+    #[test]
+    fn a_million_ulps_are_written_out_and_more_are_about_so_many() {
+        let written = [None, Some(7), Some(1_000_000), Some(1_000_001)].map(ulp);
+        assert_eq!(written, ["–", "7", "1000000", "1.0e6"]);
+    }
+
+    #[test]
+    fn a_relative_distance_is_a_number_or_infinite_or_none() {
+        let written = [Some(Number::Finite(0.0123)), None].map(relative);
+        assert_eq!(written, ["1.23e-2", "–"]);
+        assert_eq!(relative(Some(Number::Other(NotFinite::Infinity))), "inf");
+    }
+}
