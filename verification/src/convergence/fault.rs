@@ -120,3 +120,40 @@ pub(super) fn descending(ladder: &[(f64, f64)]) -> Result<(), Fault> {
         None => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_fault_is_said_in_words_with_its_numbers() {
+        for (fault, words) in [
+            (Fault::TooFew { found: 2, needed: 3 }, "2 meshes, 3 are needed"),
+            (
+                Fault::NotPositive { index: 1, value: -0.5 },
+                "mesh 1: -5e-1 is not a positive number",
+            ),
+            (
+                Fault::NotFinite { index: 4, value: f64::INFINITY },
+                "mesh 4: inf is too large or not a number",
+            ),
+            (Fault::NotFiner { index: 2 }, "mesh 2 is not finer than the one before"),
+            (Fault::OneSpacing, "all meshes have one spacing"),
+            (
+                Fault::SameValue { index: 3 },
+                "mesh 3 has the value of the one before: there is no order",
+            ),
+            (Fault::Wanted(0.0), "0e0 cannot be reached: it is not positive"),
+            (Fault::Level(1.5), "a level of 1.5 is not between 0 and 1"),
+            (Fault::Orders(0.7, 0.2), "0.7 to 0.2 is no range of orders"),
+            (
+                Fault::Rule { band: 0.1, floor: -1.0 },
+                "a band of 1e-1 or a floor of -1e0 makes no sense",
+            ),
+            (Fault::AtTheEdge { order: 0.05 }, "the best order, 0.05, is at the edge of the range"),
+            (Fault::OutOfRange, "the result is beyond the range of the numbers"),
+        ] {
+            assert_eq!(fault.to_string(), words);
+        }
+    }
+}

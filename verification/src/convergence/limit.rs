@@ -192,7 +192,10 @@ mod tests {
         assert_eq!(fitted_limit(&flat, ORDERS, 0.95), Err(Fault::SameValue { index: 1 }));
         let few = fitted_limit(&straight[..3], ORDERS, 0.95);
         assert_eq!(few, Err(Fault::TooFew { found: 3, needed: 4 }));
-        assert_eq!(fitted_limit(&straight, (0.7, 0.7), 0.95), Err(Fault::Orders(0.7, 0.7)));
+        for orders in [(0.7, 0.7), (0.0, 2.0), (-1.0, 2.0), (1.0, f64::INFINITY)] {
+            let refused = fitted_limit(&straight, orders, 0.95);
+            assert_eq!(refused, Err(Fault::Orders(orders.0, orders.1)));
+        }
         assert_eq!(fitted_limit(&straight, ORDERS, 0.0), Err(Fault::Level(0.0)));
     }
 

@@ -198,6 +198,8 @@ mod tests {
         // A hundredth of the error with an order of 0.01: 1e-200 would do, 1e-5000 is no number.
         assert!(law.reach(0.000371).is_ok());
         assert_eq!(law.reach(1e-52), Err(Fault::OutOfRange));
+        assert_eq!(law.reach(1e52), Err(Fault::OutOfRange));
+        assert_eq!(law.reach(f64::INFINITY), Err(Fault::Wanted(f64::INFINITY)));
         let flat = power_law(&[(2.0, 0.3), (1.0, 0.3), (0.5, 0.3)], 0.95).unwrap();
         assert_eq!(flat.reach(0.1), Err(Fault::OutOfRange));
     }

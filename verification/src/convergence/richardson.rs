@@ -345,6 +345,15 @@ mod tests {
         }
     }
 
+    /// Equal steps on equal ratios: the order is zero, and no limit is made of it.
+    #[test]
+    fn values_on_a_line_of_the_number_of_the_mesh_diverge() {
+        let found = richardson(&[(4.0, 3.0), (2.0, 2.0), (1.0, 1.0)]).unwrap();
+        assert_eq!((found.trend, found.extrapolation), (Trend::MonotoneDivergence, None));
+        // Beside a logarithm of 33 what is smaller is lost.
+        assert!(found.order.abs() < 1e-14, "{}", found.order);
+    }
+
     #[test]
     fn values_that_have_no_order_are_refused() {
         let same = richardson(&[(9.0, 0.2), (4.1, 1.3), (2.0, 1.7), (1.0, 1.7)]);

@@ -199,6 +199,40 @@ fn chance_is_seldom_taken_for_a_range() {
     assert!(taken < 40, "{taken}");
 }
 
+/// Differences of values alternate with their errors, however far from zero the values are.
+#[test]
+fn values_that_alternate_oscillate() {
+    let mut sign = 1.0;
+    let values = ladder(&SPACINGS, |h| {
+        sign = -sign;
+        1.4430 + 0.0371 * sign * h
+    });
+    assert_eq!(of_values(&values, RULE).unwrap(), Verdict::Oscillating { changes: 5 });
+}
+
+#[test]
+fn the_order_of_values_is_fitted_to_all_meshes_of_their_run() {
+    let spacings: Vec<_> = (0..8).map(|k| 4.0 / f64::from(1 << k)).collect();
+    let values = ladder(&spacings, |h| 1.4430 + h + 0.4 * h * h * h);
+    let run = asymptotic(of_values(&values, RULE).unwrap());
+    assert!(run.from > 0 && run.meshes >= 4, "{run:?}");
+    let all = best_order(&values[run.from..run.from + run.meshes], ORDERS).unwrap();
+    assert_eq!(run.order, all);
+}
+
+/// Errors 1/2 of each other, then one that a floor of 0.004 hides: with the order 1 and a band of 0.1 the least
+/// that it may be is 0.1 × 2^−1.1 = 0.0467, less the floor 0.0427.
+#[test]
+fn an_error_on_the_floor_is_a_dip_if_the_order_does_not_allow_it() {
+    let rule = Rule { band: 0.1, floor: 0.004 };
+    let verdict = |last: f64| {
+        let errors = [(16.0, 0.8), (8.0, 0.4), (4.0, 0.2), (2.0, 0.1), (1.0, last)];
+        of_errors(&errors, rule).unwrap()
+    };
+    assert!(matches!(verdict(0.045), Verdict::Floor { from: 4, before: Some(_) }));
+    assert_eq!(verdict(0.040), Verdict::NotYet(Reason::Dip { mesh: 4 }));
+}
+
 #[test]
 fn too_little_is_said_to_be_too_little() {
     let errors = ladder(&SPACINGS[..2], |h| h);
@@ -212,6 +246,8 @@ fn too_little_is_said_to_be_too_little() {
     assert_eq!(of_errors(&[], RULE), Err(Fault::TooFew { found: 0, needed: 1 }));
     let wide = Rule { band: 0.0, floor: 0.0 };
     assert!(matches!(of_errors(&errors, wide), Err(Fault::Rule { .. })));
-    let below = Rule { band: 0.1, floor: -1e-9 };
-    assert!(matches!(of_errors(&errors, below), Err(Fault::Rule { .. })));
+    for (band, floor) in [(0.1, -1e-9), (f64::INFINITY, 0.0), (0.1, f64::INFINITY)] {
+        let refused = of_errors(&errors, Rule { band, floor });
+        assert_eq!(refused, Err(Fault::Rule { band, floor }));
+    }
 }
