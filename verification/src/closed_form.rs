@@ -121,3 +121,28 @@ pub fn coefficients(scene: &Scene) -> Option<Coefficients> {
         Law::Engineering => around.engineering,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// The closed form itself knows of no place, no mass and no law.
+    #[test]
+    fn coefficients_are_those_of_a_lasting_wave_by_eqn_7_that_comes_to_a_crossover() {
+        let with = |change: fn(&mut Scene)| {
+            let mut scene = shipped("fig3");
+            change(&mut scene);
+            coefficients(&scene).is_some()
+        };
+        assert!(with(|_| ()));
+        assert!(!with(|scene| scene.secondary = None));
+        assert!(!with(|scene| scene.secondary.as_mut().unwrap().at = 0.0));
+        assert!(!with(|scene| scene.projectile.mass = Some(0.0037)));
+        // The same at small strains.
+        let hardening = Constitutive::Polynomial { coefficients: vec![58.6e9, 1e12] };
+        let mut scene = shipped("fig3");
+        scene.primary.material = hardening.into();
+        assert!(beyond(&scene).is_some() && coefficients(&scene).is_none());
+    }
+}

@@ -136,3 +136,63 @@ impl Display for Row<'_> {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A piece of 3 % and 50 m/s at a place.
+    fn piece(from: f64, to: f64) -> Piece {
+        Piece { from, to, strain: 0.03, velocity: vec![30.0, 40.0], direction: vec![1.0, 0.0] }
+    }
+
+    /// The limits are 0.2 % of 3 % and of 50 m/s, and 0.005.
+    #[test]
+    fn neighbours_are_one_row_as_long_as_they_differ_by_little() {
+        let first = piece(0.0, 0.1);
+        let rows_with = |change: &dyn Fn(&mut Piece)| {
+            let mut second = piece(0.1, 0.3);
+            change(&mut second);
+            rows(&[first.clone(), second]).iter().map(|row| (row.from, row.to)).collect::<Vec<_>>()
+        };
+        let (one, two) = (vec![(0.0, 0.3)], vec![(0.0, 0.1), (0.1, 0.3)]);
+        assert_eq!(rows_with(&|_| ()), one);
+        assert_eq!(rows_with(&|piece| piece.strain -= 5e-5), one);
+        assert_eq!(rows_with(&|piece| piece.strain -= 7e-5), two);
+        assert_eq!(rows_with(&|piece| piece.velocity[0] -= 0.09), one);
+        assert_eq!(rows_with(&|piece| piece.velocity[0] -= 0.11), two);
+        assert_eq!(rows_with(&|piece| piece.direction[1] += 0.004), one);
+        assert_eq!(rows_with(&|piece| piece.direction[1] += 0.006), two);
+    }
+
+    #[test]
+    fn pieces_at_rest_are_one_row() {
+        let at_rest = |from, to| Piece { strain: 0.0, velocity: vec![0.0; 2], ..piece(from, to) };
+        assert_eq!(rows(&[at_rest(0.0, 0.1), at_rest(0.1, 0.3)]).len(), 1);
+    }
+
+    #[test]
+    fn a_row_has_the_numbers_of_its_longest_piece() {
+        let longest = |ends: [f64; 4]| {
+            let mut pieces =
+                [piece(ends[0], ends[1]), piece(ends[1], ends[2]), piece(ends[2], ends[3])];
+            for (k, piece) in pieces.iter_mut().enumerate() {
+                piece.strain -= 1e-5 * k as f64;
+            }
+            let rows = rows(&pieces);
+            assert_eq!(rows.len(), 1);
+            pieces.iter().position(|piece| std::ptr::eq(piece, rows[0].longest)).unwrap()
+        };
+        assert_eq!(longest([0.0, 0.3, 0.4, 0.6]), 0);
+        assert_eq!(longest([0.1, 0.2, 0.5, 0.7]), 1);
+        assert_eq!(longest([0.1, 0.2, 0.4, 0.8]), 2);
+    }
+
+    #[test]
+    fn what_is_rounded_to_zero_has_no_sign() {
+        let piece = Piece { velocity: vec![-0.004, -0.006], ..piece(0.0, 0.1) };
+        let row = Row { from: piece.from, to: piece.to, longest: &piece }.to_string();
+        assert!(row.ends_with("     0.00    -0.01    1.0000  0.0000"), "{row}");
+        assert!(row.starts_with("            0.000 mm    100.000 mm   3.0000 % "), "{row}");
+    }
+}

@@ -27,6 +27,21 @@ fn the_solution_is_told_in_pieces() {
 }
 
 #[test]
+fn a_file_gets_the_solution_and_standard_output_the_summary_unless_it_is_the_file() {
+    let folder = engineering("fig3.json");
+    let run = |more: &[&str]| crossfibre(folder.path(), &[&["exact", "scene.json"], more].concat());
+    let (summary, json) = (run(&[]).stdout, run(&["--json"]).stdout);
+    assert!(json.starts_with('{') && !summary.contains('{'), "{summary}");
+    assert_eq!(run(&["-o", "-"]).stdout, json);
+    assert_eq!(run(&["-o", "exact.json"]).stdout, summary);
+    assert_eq!(run(&["-o", "exact.json", "--json"]).stdout, "");
+    assert_eq!(run(&["--plot", "exact.svg"]).stdout, summary);
+    let picture = fs::read_to_string(folder.path().join("exact.svg")).unwrap();
+    assert!(picture.starts_with("<svg") && picture.contains("fronts on the secondary"));
+    assert_eq!(fs::read_to_string(folder.path().join("exact.json")).unwrap(), json);
+}
+
+#[test]
 fn the_file_keeps_to_its_schema() {
     let schema = crossfibre(&scenes(), &["schema", "exact"]).stdout;
     let mut compiler = boon::Compiler::new();

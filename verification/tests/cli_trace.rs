@@ -6,7 +6,7 @@ mod cli_support;
 
 use std::fs;
 
-use cli_support::{assert_snapshot, crossfibre, scenes};
+use cli_support::{Ended, assert_snapshot, crossfibre, scenes};
 use crossfibre_verification::trace_line::TraceLine;
 
 #[test]
@@ -118,6 +118,26 @@ fn a_choice_that_comes_to_nothing_says_why_and_writes_nothing() {
     }
     assert_snapshot("trace-nothing", &seen);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// It is the work up to the last step that counts: 287 km of travel, 10¹² steps.
+#[test]
+fn the_first_steps_of_a_run_of_hours_are_traced_and_the_last_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(scenes().join("fig3.json")).unwrap();
+    fs::write(folder.path().join("scene.json"), text.replacen("28.7e-6", "287e3", 1)).unwrap();
+    let traced = |step: &str| {
+        crossfibre(folder.path(), &["trace", "scene.json", "--step", step, "--eq", "4"])
+    };
+    let of_fig3 = crossfibre(&scenes(), &["trace", "fig3.json", "--step", "3", "--eq", "4"]);
+    let events =
+        |ended: &Ended| ended.stdout.lines().skip(1).map(str::to_owned).collect::<Vec<_>>();
+    let first = events(&traced("3"));
+    assert!(!first.is_empty());
+    assert_eq!(first, events(&of_fig3));
+    let last = traced("900000000000");
+    assert_eq!((last.code, last.stdout.as_str()), (1, ""));
+    assert!(last.stderr.ends_with("help: choose an earlier --step\n"), "{}", last.stderr);
 }
 
 #[test]

@@ -220,6 +220,28 @@ fn a_changed_bit_is_found_and_named() {
 }
 
 #[test]
+fn ten_differences_are_told_and_the_others_counted() {
+    for (changed, counted) in [(10, None), (11, Some("… and 1 more"))] {
+        let folder = copies();
+        let path = folder.path().join("steps.json");
+        let mut json: Json = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        let list = json["vectors"].as_array_mut().unwrap();
+        let vector = list.iter_mut().find(|vector| vector["id"] == "crossover-node-moves").unwrap();
+        let strain = vector["after"]["primary"]["strain"].as_array_mut().unwrap();
+        for strain in &mut strain[..changed] {
+            *strain = json!(f64::from_bits(strain.as_f64().unwrap().to_bits() ^ 1));
+        }
+        fs::write(&path, json.to_string()).unwrap();
+
+        let found = vectors(folder.path(), &[]).stdout;
+        let told = found.lines().filter(|line| line.starts_with("steps.json, ")).count();
+        let more = found.lines().find(|line| line.starts_with('…'));
+        assert_eq!((told, more), (10, counted), "{found}");
+        assert!(found.ends_with(&format!("\n{changed} differences in 1 vectors\n")), "{found}");
+    }
+}
+
+#[test]
 fn a_file_that_is_not_there_and_one_that_is_no_json_are_differences() {
     let folder = copies();
     fs::remove_file(folder.path().join("runs.json")).unwrap();

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use crossfibre_verification::golden::{FILES, embedded};
 use crossfibre_verification::record::Record;
 use crossfibre_verification::report;
 
@@ -81,10 +82,38 @@ fn everything_passes_and_the_reports_are_functions_of_the_record() {
 fn a_stale_report_is_told_by_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let stale = folder.path().join("stale.md");
-    fs::write(&stale, "# Validation of crossfibre 0.0.0\n").unwrap();
+    // The two lines with which every report of this version begins.
+    let begins = format!("# Validation of crossfibre {}\n\n", env!("CARGO_PKG_VERSION"));
+    fs::write(&stale, begins + "All is well.\n").unwrap();
     let assert = verify(&["--compare", "stale.md"], folder.path()).code(2);
     let message = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-    assert!(message.contains("stale.md is stale from line 1 on"), "{message}");
+    assert!(message.contains("stale.md is stale from line 3 on"), "{message}");
+}
+
+/// Since all checks pass but those on the vectors themselves.
+#[test]
+fn a_vector_that_is_another_is_blessed_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in FILES.into_iter().zip(embedded()) {
+        fs::write(folder.path().join(name), text.unwrap()).unwrap();
+    }
+    let runs = folder.path().join("runs.json");
+    let right = fs::read_to_string(&runs).unwrap();
+    let wrong = right.replacen("\"steps\":100", "\"steps\":101", 1);
+    assert_ne!(wrong, right);
+    fs::write(&runs, wrong).unwrap();
+    let assert = Command::cargo_bin("crossfibre")
+        .unwrap()
+        .args(["vectors", "--dir", ".", "--bless", "--reason", "a step\ntoo many"])
+        .current_dir(folder.path())
+        .assert()
+        .success();
+    let text = stdout(&assert);
+    assert!(text.ends_with("written: runs.json, HISTORY.md\n"), "{text}");
+    let json = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    let blessed = json(&fs::read_to_string(&runs).unwrap());
+    assert_eq!(blessed["vectors"], json(&right)["vectors"]);
+    assert_eq!(blessed["provenance"]["reason"], "a step too many");
 }
 
 #[test]

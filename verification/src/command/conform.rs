@@ -147,3 +147,17 @@ fn write_smallest(to: Destination, report: &Report, mut session: Session) -> Res
     ));
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wait_is_more_than_nothing_and_at_most_a_day() {
+        assert_eq!(seconds("0.7"), Ok(Duration::from_millis(700)));
+        assert_eq!(seconds("86400"), Ok(Duration::from_secs(86_400)));
+        for bad in ["0", "-0.7", "86400.1", "inf", "NaN", "soon", ""] {
+            assert!(seconds(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -102,6 +102,42 @@ mod tests {
     }
 
     #[test]
+    fn a_line_is_shown_up_to_a_length_wherever_it_stands() {
+        let bad = |before: &str, length: usize| {
+            let around = ["{\"title\": \"", "\", \"courrant\": 1}"];
+            let title = "µ".repeat(length - around.map(str::len).iter().sum::<usize>());
+            let line = around.join(title.as_str());
+            assert_eq!(line.chars().count(), length);
+            shown(format!("{before}{line}").as_bytes())
+        };
+        for (before, number) in [("", 1), ("\n\n", 3), ("// µ\n", 2)] {
+            let longest = bad(before, LONGEST_LINE);
+            assert!(longest.contains("^^^") && longest.contains("µµµ"), "{longest}");
+            let longer = bad(before, LONGEST_LINE + 1);
+            // The field that is misspelt begins 14 characters before the end.
+            assert!(longer.contains(&format!("--> a.json:{number}:388\n")), "{longer}");
+            assert!(!longer.contains('^') && !longer.contains("µµµ"), "{longer}");
+        }
+    }
+
+    #[test]
+    fn of_what_goes_on_in_the_next_line_its_first_character_is_underlined() {
+        let text = "{\n  \"title\": µ\nµ}".to_owned();
+        let start = text.find('µ').unwrap();
+        let span = start..text.len() - 1;
+        let fault = Fault {
+            path: "title".into(),
+            line: 2,
+            column: 12,
+            message: "no word".into(),
+            help: None,
+            span,
+        };
+        let bad = BadScene { file: "a.json".into(), text, fault };
+        assert_eq!(bad.place(), start..start + 'µ'.len_utf8());
+    }
+
+    #[test]
     fn the_value_is_underlined_and_an_object_by_its_bracket() {
         let scene = include_str!("../../scenes/unequal.json");
         let bad = shown(scene.replace("0.2871", "-0.2871").as_bytes());

@@ -78,3 +78,54 @@ fn advice(scene: &Scene, outcome: &Outcome) -> String {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crossfibre::errata::Corrections;
+
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// What is said of a scene whose run has come to no good end for no reason that the end names.
+    fn advised(scene: &Scene) -> String {
+        advice(scene, &Outcome::EnergyUnbalanced { step: 57, residual: Some(0.37) })
+    }
+
+    const LOWER: &str = "lower the Courant number, or the velocity";
+
+    #[test]
+    fn who_is_beyond_a_limit_is_told_the_limit_and_who_is_at_it_is_not() {
+        let mut scene = shipped("artificial-viscosity");
+        let viscosity = scene.primary.material.artificial_viscosity.unwrap();
+        // √(1 + 0.3²) − 0.3.
+        let limit = "the Courant number is 0.95; with this artificial viscosity the limit is 0.744";
+        scene.courant = 0.95;
+        assert_eq!(advised(&scene), limit);
+        scene.courant = viscosity.greatest_courant_at_rest();
+        assert_eq!(advised(&scene), LOWER);
+
+        let mut scene = shipped("single-400");
+        scene.courant = 1.01;
+        assert_eq!(advised(&scene), "the Courant number is 1.01; the limit of the scheme is 1");
+        scene.courant = 1.0;
+        assert_eq!(advised(&scene), LOWER);
+    }
+
+    #[test]
+    fn of_the_corrections_left_out_those_are_named_that_change_a_run() {
+        let mut scene = shipped("fig3");
+        let mut named = |corrections| {
+            scene.corrections = corrections;
+            let advised = advised(&scene);
+            let ids = advised.split_once("make the corrections left out: ").map(|(_, ids)| ids);
+            ids.map(|ids| ids.split(", ").map(str::to_owned).collect::<Vec<_>>())
+        };
+        assert_eq!(named(Corrections::ALL), None);
+        let signs = [Erratum::PerpendicularSign, Erratum::ProjectileSign];
+        let but_signs = signs.into_iter().fold(Corrections::ALL, Corrections::without);
+        let ids = named(but_signs).unwrap();
+        assert_eq!(ids, ["projectile-sign", "perpendicular-sign"]);
+        // A density is none of the equations'.
+        assert_eq!(named(but_signs.without(Erratum::Density)), Some(ids));
+    }
+}

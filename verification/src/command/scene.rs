@@ -32,3 +32,20 @@ pub fn refuse_if_long(plan: &Plan, instead: &str) -> Result<()> {
         plan.element_steps,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    #[test]
+    fn as_much_work_as_is_many_is_done_and_more_is_refused_with_its_hours() {
+        let mut plan = Plan::of(&shipped("fig3"));
+        plan.element_steps = MANY_ELEMENT_STEPS;
+        refuse_if_long(&plan, "take less").unwrap();
+        // 3.6 × 10¹¹ at 10⁸ a second.
+        plan.element_steps = 3.6e11;
+        let refused = refuse_if_long(&plan, "take less").unwrap_err().to_string();
+        assert!(refused.ends_with("3.6e11 element-steps: about 1.0 hours\n  help: take less"));
+    }
+}

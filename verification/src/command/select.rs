@@ -150,6 +150,7 @@ fn through<N: PartialEq + std::fmt::Display>((from, to): &(N, N)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::support::shipped;
 
     #[test]
     fn ranges_have_both_ends() {
@@ -167,5 +168,51 @@ mod tests {
         for bad in ["0", "21", "256", "-4", "four", ""] {
             assert!(equation(bad).is_err(), "{bad}");
         }
+    }
+
+    /// The crossing fibre of Fig. 3 has 100 elements, the struck one 150.
+    #[test]
+    fn the_last_step_and_the_last_node_of_a_fibre_can_be_chosen_and_no_later_ones() {
+        let plan = Plan::of(&shipped("fig3"));
+        let checked = |step: u64, fibre, index: usize| {
+            let (steps, indices) = (Some(step..=step), Some(index..=index));
+            let filter = Filter { steps, indices, fibre, ..Filter::default() };
+            check(&filter, &plan).map_err(|error| error.to_string())
+        };
+        let last = plan.steps;
+        for (fibre, node) in
+            [(None, 150), (Some(Fibre::Primary), 150), (Some(Fibre::Secondary), 100)]
+        {
+            assert_eq!(checked(last, fibre, node), Ok(()));
+            let message = format!("index {} is beyond the last node, {node}", node + 1);
+            assert_eq!(checked(last, fibre, node + 1), Err(message));
+        }
+        let message = format!("step {} is beyond the run's {last} steps", last + 1);
+        assert_eq!(checked(last + 1, None, 0), Err(message));
+    }
+
+    #[test]
+    fn what_was_seen_of_the_chosen_equations_is_told_fibre_by_fibre() {
+        let filter = Filter { equations: vec![2, 4, 6], ..Filter::default() };
+        let mut seen = Seen::default();
+        for (equation, fibre, step, index) in [
+            (4, Fibre::Primary, 3, 1),
+            (6, Fibre::Primary, 3, 1),
+            (2, Fibre::Primary, 3, 7),
+            (4, Fibre::Secondary, 3, 1),
+            (7, Fibre::Secondary, 3, 1),
+        ] {
+            seen.note(&filter, Place { step, fibre, index }, equation);
+        }
+        assert_eq!(
+            seen.nothing_matches(5),
+            "nothing matches in steps 1..5\n  \
+             evaluated: step 3, primary, index 7: (2)\n  \
+             evaluated: step 3, primary, index 1: (4) (6)\n  \
+             evaluated: step 3, secondary, index 1: (4)"
+        );
+        let mut all = Seen::default();
+        all.note(&Filter::default(), Place { step: 3, fibre: Fibre::Primary, index: 1 }, 7);
+        assert!(all.nothing_matches(5).ends_with("primary, index 1: (7)"));
     }
 }

@@ -227,3 +227,81 @@ fn is_stale(name: &str, old: &str, fresh: &str, folder: &Path) -> bool {
     ));
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use std::env;
+    use std::process::Command;
+
+    use super::*;
+    use crate::planted;
+
+    /// No arguments.
+    fn none() -> Args {
+        Args {
+            filter: vec![],
+            quick: false,
+            full: false,
+            sensitivity: false,
+            plant: None,
+            list: false,
+            json: false,
+            out: None,
+            compare: None,
+        }
+    }
+
+    #[test]
+    fn a_part_is_what_quick_or_a_filter_leaves_and_has_no_folder_but_the_one_named() {
+        let filter = || vec!["smith".to_owned(), "axial".to_owned()];
+        let whole = [none(), Args { full: true, ..none() }];
+        let parts = [
+            Args { quick: true, ..none() },
+            Args { filter: filter(), ..none() },
+            Args { quick: true, filter: filter(), ..none() },
+        ];
+        for args in whole {
+            assert!(!args.is_part());
+            assert_eq!(args.folder(), Some(Path::new("target/verification")));
+            assert_eq!(args.selection(), [""; 0]);
+        }
+        assert!(parts.iter().all(|args| args.is_part() && args.folder().is_none()));
+        let named = parts.each_ref().map(Args::selection);
+        assert_eq!(named[0], ["--quick"]);
+        assert_eq!(named[1], ["--filter", "smith", "--filter", "axial"]);
+        assert_eq!(named[2], ["--quick", "--filter", "smith", "--filter", "axial"]);
+        let args = Args { quick: true, out: Some("a".into()), ..none() };
+        assert_eq!(args.folder(), Some(Path::new("a")));
+    }
+
+    #[test]
+    fn a_report_is_stale_that_is_not_the_one_just_written() {
+        let is_stale = |old, fresh| is_stale("a.md", old, fresh, Path::new("out"));
+        assert!(!is_stale("# A\n1\n", "# A\n1\n"));
+        assert!(is_stale("# A\n1\n", "# A\n2\n"));
+        // Every line of the one is one of the other.
+        assert!(is_stale("# A\n", "# A\n2\n") && is_stale("# A\n2\n", "# A\n"));
+    }
+
+    #[test]
+    fn the_timing_example_takes_some_time() {
+        assert!(timing_example() > Duration::ZERO);
+    }
+
+    /// What is planted stays for the whole process, so that the test calls itself in one of its own.
+    #[test]
+    fn a_check_that_fails_ends_with_its_own_code() {
+        const ALONE: &str = "CROSSFIBRE_TEST_ALONE";
+        const THIS: &str = "command::verify::tests::a_check_that_fails_ends_with_its_own_code";
+        if env::var_os(ALONE).is_some() {
+            planted::plant("2-twice").unwrap();
+            let filter = vec!["momentum.fig3".to_owned()];
+            assert_eq!(run(&Args { filter, ..none() }).unwrap(), Exit::CheckFailed);
+            return;
+        }
+        let mut itself = Command::new(env::current_exe().unwrap());
+        let ended = itself.args([THIS, "--exact"]).env(ALONE, "1").output().unwrap();
+        let said = String::from_utf8_lossy(&ended.stdout);
+        assert!(ended.status.success() && said.contains("test result: ok. 1 passed"), "{said}");
+    }
+}

@@ -179,6 +179,22 @@ mod tests {
     }
 
     #[test]
+    fn a_case_that_is_run_with_all_others_only_if_asked_for_is_asked_for_again() {
+        for (id, again) in [
+            ("smith.kink", "crossfibre verify --filter smith.kink\n"),
+            (
+                "precision.whole-record",
+                "crossfibre verify --full --filter precision.whole-record\n",
+            ),
+        ] {
+            let mut text = Vec::new();
+            failures(&[case(id, Verdict::Failed)], &mut text).unwrap();
+            let text = String::from_utf8(text).unwrap();
+            assert!(text.ends_with(again), "{text}");
+        }
+    }
+
+    #[test]
     fn a_case_is_a_line_with_a_mark() {
         let strip = |line: String| anstream::adapter::strip_str(&line).to_string();
         assert_eq!(
