@@ -49,6 +49,15 @@ mod tests {
         assert_eq!(random.bits(), 9_817_491_932_198_370_423);
     }
 
+    /// The first numbers of the same seed over 2⁶⁴ are 0.3500795420214081 and 0.1736440966709126.
+    #[test]
+    fn a_number_between_two_is_their_share_of_the_way() {
+        let mut random = SplitMix::new(1_234_567);
+        // Absolute, 1e-14: the last digit of the share, eight times.
+        assert!((random.between(-3.0, 5.0) - (8.0 * 0.3500795420214081 - 3.0)).abs() < 1e-14);
+        assert!((random.between(7.0, 9.0) - (7.0 + 2.0 * 0.1736440966709126)).abs() < 1e-14);
+    }
+
     #[test]
     fn whole_numbers_and_chances_keep_their_ranges() {
         let mut random = SplitMix::new(7);

@@ -4,12 +4,15 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::panic;
 use std::path::Path;
+use std::sync::Mutex;
 
 use assert_cmd::Command;
-use crossfibre_verification::cases;
+use crossfibre_verification::cases::{self, Bound, Case, Check};
 use crossfibre_verification::planted;
 use crossfibre_verification::sensitivity::matrix::{Matrix, Row};
+use crossfibre_verification::sensitivity::one::tell;
 use crossfibre_verification::sensitivity::page::page;
 use crossfibre_verification::sensitivity::{judge::judge, stored::stored};
 
@@ -51,6 +54,39 @@ fn a_fault_that_is_not_in_the_catalogue_is_bad_input() {
 
 fn ids(rows: &[Row]) -> Vec<&str> {
     rows.iter().map(|row| row.id.as_str()).collect()
+}
+
+/// Checks with a bound of 2: one that keeps to it, one at eight times it, one twenty times below it, and one
+/// that is farther above; and one that is no error.
+fn made_up() -> Vec<Check> {
+    let check = |claim: &str, measured, bound| {
+        let [oracle, norm, reason] = [(); 3].map(|()| String::new());
+        Check { claim: claim.into(), oracle, norm, measured, bound, reason }
+    };
+    vec![
+        check("kept", 1.9, Bound::AtMost(2.0)),
+        check("at eight times the bound", 16.0, Bound::AtMost(2.0)),
+        check("loose", 0.1, Bound::AtMost(2.0)),
+        check("loose in a window", 0.1, Bound::Within(0.0, 1.0)),
+        check("beyond", 16.1, Bound::AtMost(2.0)),
+        check("less than it must be", 0.7, Bound::AtLeast(2.0)),
+    ]
+}
+
+/// Other words have other errors of rounding, so what is planted here is equal in algebra. It stays for the
+/// whole process, whose other tests march and solve nothing.
+#[test]
+fn where_words_are_others_an_error_may_be_eight_times_the_bound() {
+    let told = || {
+        let said = Mutex::new(Vec::new());
+        let case = Case { id: "made-up", title: "", equations: &[], run: made_up };
+        tell(&[case], |case| said.lock().unwrap().extend(case.checks.clone()));
+        drop(panic::take_hook());
+        said.into_inner().unwrap().into_iter().map(|(_, stands)| stands).collect::<Vec<_>>()
+    };
+    assert_eq!(told(), [true, false, false, false, false, false]);
+    planted::plant("rewrite-factored").unwrap();
+    assert_eq!(told(), [true, true, true, true, false, false]);
 }
 
 /// Measured by `verify --sensitivity --quick --out docs/sensitivity`; whoever adds a fault or a case measures

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 
 use cli_support::crossfibre;
 use crossfibre_verification::precision::{
-    Entry, Found, QUICK, Record, Times, VARIANTS, files, id, points, record,
+    Entry, FINEST, Found, QUICK, Record, STUDY, Times, VARIANTS, files, id, points, record,
 };
+use crossfibre_verification::sweep::folder::Folder;
 
 fn stored(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/work-precision").join(name)
@@ -45,6 +46,37 @@ fn the_stored_files_are_drawn_from_the_stored_record() {
     let there = fs::read_dir(stored("")).unwrap();
     for entry in there.map(|entry| entry.unwrap().file_name().into_string().unwrap()) {
         assert!(names.contains(&entry), "docs/work-precision/{entry} is drawn by nothing");
+    }
+}
+
+/// Runs of the stored record are drawn by the command, with the times of an earlier study or with none.
+#[test]
+fn what_is_drawn_of_an_earlier_study_is_what_was_stored_with_its_times_or_without() {
+    let folder = tempfile::tempdir().unwrap();
+    let record = stored_record();
+    let points = points(FINEST);
+    assert_eq!(points.len(), record.entries.len());
+    let store = folder.path().join("points");
+    let store = Folder::open(&store, STUDY, &points).unwrap();
+    for (point, entry) in points.iter().zip(&record.entries) {
+        store.store(point, &entry.found).unwrap();
+    }
+    let times = stored("times.json");
+    let with_times: Times = serde_json::from_str(&read("times.json")).unwrap();
+    for (out, options, times) in [
+        ("with", ["--times", times.to_str().unwrap()].as_slice(), Some(with_times)),
+        ("without", &["--no-times"], None),
+    ] {
+        let arguments = ["study", "work-precision", "--points", "points", "--out", out];
+        let ended = crossfibre(folder.path(), &[&arguments[..], options].concat());
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+        let drawn = files(&record, times.as_ref());
+        for (name, text) in &drawn {
+            let written = fs::read_to_string(folder.path().join(out).join(name)).unwrap();
+            assert!(*text == written, "{out}/{name}");
+        }
+        let there = fs::read_dir(folder.path().join(out)).unwrap().count();
+        assert_eq!(there, drawn.len(), "{out}");
     }
 }
 

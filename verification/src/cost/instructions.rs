@@ -33,3 +33,17 @@ pub fn instructions(program: &Path, command: &[&str], scene: &Scene) -> Result<f
         .and_then(|number| number.parse().ok())
         .with_context(|| format!("callgrind gave no count for `{}`: {said}", scene.title))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// `true` reads no scene. A program that is linked, started and ended takes many thousands.
+    #[test]
+    fn instructions_are_counted_where_callgrind_is() {
+        let counted = instructions(Path::new("true"), &[], &shipped("single-400"));
+        assert_eq!(counted.is_ok(), has_callgrind(), "{counted:?}");
+        assert!(counted.is_err() || counted.is_ok_and(|number| number > 1e3));
+    }
+}

@@ -46,3 +46,35 @@ pub fn page(costs: &[Cost]) -> String {
          work along the path is booked as well, which the page's law does not need.\n";
     page
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+    use crate::cost::Variant;
+
+    #[test]
+    fn a_row_has_sums_what_is_beyond_the_first_and_ratios_to_the_first() {
+        let cost = |what, evaluations, instructions| Cost {
+            variant: Variant { what, scene: shipped("single-400"), command: &[] },
+            evaluations,
+            instructions,
+        };
+        let plain = vec![(2, 1.0), (4, 1.0), (5, 1.0), (6, 0.5), (7, 1.0)];
+        let more = vec![(2, 1.0), (3, 0.25), (7, 1.0), (8, 0.125)];
+        let page = page(&[
+            cost("nothing more", plain.clone(), Some(20.0)),
+            cost("some", more, Some(50.0)),
+            cost("uncounted", plain, None),
+        ]);
+        let rows: Vec<&str> = page.lines().filter(|line| line.starts_with("| ")).skip(1).collect();
+        assert_eq!(
+            rows,
+            [
+                "| nothing more | 4.500 | none | 20.0 | 1.00 |",
+                "| some | 2.375 | (3) (8) | 50.0 | 2.50 |",
+                "| uncounted | 4.500 | none | – | – |",
+            ]
+        );
+    }
+}

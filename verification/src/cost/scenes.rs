@@ -132,6 +132,31 @@ mod tests {
         }
     }
 
+    /// What is compared differs in nothing but the one thing: the spacing of the shipped scene, its wave
+    /// speed but for rounding, and so many steps.
+    #[test]
+    fn every_variant_has_the_same_mesh_steps_and_initial_modulus() {
+        let shipped = shipped("single-400");
+        let spacing = shipped.primary.length / shipped.primary.elements as f64;
+        for Variant { what, scene, .. } in variants() {
+            let found = scene.primary.length / scene.primary.elements as f64;
+            // Relative, 1e-15: roundings of four operations of half a unit each.
+            assert!((found / spacing - 1.0).abs() < 1e-15, "{what}: {found}");
+            assert_eq!(crate::timing::march::steps(&scene), 500, "{what}");
+            // Relative, 1e-15: a sum of four quarters of it.
+            let ratio = modulus(&scene) / modulus(&shipped);
+            assert!((ratio - 1.0).abs() < 1e-15, "{what}: {ratio}");
+        }
+    }
+
+    /// 125 µs are run: within that all three relax, each by itself.
+    #[test]
+    fn arms_relax_at_multiples_of_the_first_time() {
+        let Law::Viscoelastic { arms, .. } = viscoelastic(1e9, 3) else { unreachable!() };
+        let tenths = arms.iter().map(|arm| (1e7 * arm.relaxation_time).round());
+        assert_eq!(tenths.collect::<Vec<_>>(), [31.0, 62.0, 93.0]);
+    }
+
     #[test]
     fn what_a_scene_does_not_have_is_not_evaluated() {
         let counts = |what: &str| {

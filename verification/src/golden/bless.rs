@@ -128,6 +128,15 @@ mod tests {
     }
 
     #[test]
+    fn a_file_that_is_not_there_is_none_and_one_that_cannot_be_read_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(stored(folder.path()).unwrap().iter().all(Option::is_none));
+        fs::create_dir(folder.path().join(FILES[1])).unwrap();
+        let error = stored(folder.path()).unwrap_err().to_string();
+        assert!(error.contains(FILES[1]), "{error}");
+    }
+
+    #[test]
     fn only_files_whose_vectors_changed_are_written_and_the_history_grows_by_a_line() {
         let folder = tempfile::tempdir().unwrap();
         let recomputed = Recomputed::now();

@@ -210,6 +210,34 @@ mod tests {
     }
 
     #[test]
+    fn a_vector_that_differs_in_two_numbers_counts_once_and_ids_are_of_their_file() {
+        let of = |file, id: &str| Difference { vector: id.into(), ..of_file(file, "1", "2") };
+        let all = [
+            of("runs.json", "a"),
+            of("runs.json", "b"),
+            of("runs.json", "a"),
+            of("steps.json", "a"),
+        ];
+        assert_eq!(vectors_that_differ(&all), 3);
+        assert_eq!(vectors_that_differ(&[]), 0);
+    }
+
+    #[test]
+    fn events_of_a_trace_are_named_by_their_line_and_place() {
+        let text = "{\"format\":\"crossfibre-trace/1\"}\n\
+                    {\"step\":3,\"fibre\":\"primary\",\"index\":7,\"eq\":\"2\"}\n\
+                    {\"step\":3,\"fibre\":\"secondary\",\"eq\":\"14\"}\n";
+        let named = read(TRACE, text).unwrap();
+        let expected = [
+            "line 1, header",
+            "line 2, step 3 primary 7 eqn (2)",
+            // What an event does not say is left out of its name.
+            "line 3, step 3 secondary  eqn (14)",
+        ];
+        assert_eq!(named.order, expected);
+    }
+
+    #[test]
     fn the_sign_of_zero_and_one_bit_of_the_least_number_are_differences() {
         let found = leaves(json!([-0.0, 5e-324, 1.0]), json!([0.0, 0.0, 1]));
         assert_eq!(

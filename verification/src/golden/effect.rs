@@ -130,6 +130,8 @@ fn row(name: &str, before: Option<f64>, now: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::golden::bless::stored_runs;
+    use crate::golden::embedded;
 
     #[test]
     fn a_row_shows_before_after_and_both_kinds_of_change() {
@@ -142,5 +144,50 @@ mod tests {
         assert_eq!(fields(fallen), ["residual", "-0.02", "-0.03", "-1.0e-2", "-5.0e-1"]);
         assert_eq!(fields(row("R", None, Some(0.043))), ["R", "none", "0.043"]);
         assert!(row("energy", Some(0.0), Some(0.0)).ends_with("0.0e0"));
+    }
+
+    #[test]
+    fn what_changed_is_a_table_and_what_did_not_is_a_line() {
+        let stored = stored_runs(&embedded());
+        let effect = Effect {
+            plateau_strain: Some(0.013),
+            reflection: None,
+            transmission: Some(0.9),
+            diversion: None,
+            energy_residual: Some(0.5),
+            projectile_velocity: 400.0,
+        };
+        let changed = Effect {
+            plateau_strain: Some(0.0143),
+            transmission: None,
+            diversion: Some(0.07),
+            ..effect.clone()
+        };
+        let run = |id: &str, effect: &Effect| RunVector {
+            id: id.into(),
+            effect: effect.clone(),
+            ..stored[0].clone()
+        };
+        let before = [run("gone", &changed), run("kept", &effect), run("changed", &effect)];
+        let after = [run("new", &effect), run("kept", &effect), run("changed", &changed)];
+        let said = Effects { before: &before, after: &after }.to_string();
+        let spaced = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(
+            said.lines().map(spaced).collect::<Vec<_>>(),
+            [
+                "new: not among the stored runs",
+                "plateau strain none 0.013",
+                "transmission T none 0.9",
+                "energy residual none 0.5",
+                "projectile, m/s none 400.0",
+                "kept: the same to the bit",
+                "changed before now change relative",
+                "plateau strain 0.013 0.0143 1.3e-3 1.0e-1",
+                "transmission T 0.9 none",
+                "diversion D none 0.07",
+                "energy residual 0.5 0.5 0.0e0 0.0e0",
+                "projectile, m/s 400.0 400.0 0.0e0 0.0e0",
+            ]
+        );
     }
 }

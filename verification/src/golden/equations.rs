@@ -244,3 +244,22 @@ fn push(draw: &mut Draw) -> CrossoverPush<f64> {
         secondary_mass: draw.node_mass(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drawn_sets_follow_the_awkward_ones_and_those_of_the_seed_before() {
+        let of = |vectors: Vec<EquationVector>| -> Vec<_> {
+            let chosen = vectors.into_iter().filter(|vector| vector.id.starts_with("7/corrected/"));
+            chosen.map(|vector| (vector.id, vector.inputs)).collect()
+        };
+        let (stored, two, next) = (of(vectors()), of(drawn(0, 2)), of(drawn(1, 1)));
+        let ids: Vec<&str> = two.iter().map(|(id, _)| id.as_str()).collect();
+        assert_eq!(ids, ["7/corrected/drawn-1", "7/corrected/drawn-2"]);
+        // One set of seed 0, then one of seed 1: the second of two sets of seed 0.
+        assert_eq!(next[0].1, two[1].1);
+        assert!(two.iter().all(|(_, inputs)| stored.iter().all(|(_, known)| known != inputs)));
+    }
+}

@@ -60,3 +60,17 @@ impl From<trace_line::Value> for Value {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scalar_has_one_number_and_a_sum_of_two_doubles_is_their_sum() {
+        let value = |text| serde_json::from_str::<Value>(text).unwrap();
+        assert_eq!(value("0.3").numbers(), [0.3]);
+        assert_eq!(value("[0.3,\"-inf\"]").numbers(), [0.3, f64::NEG_INFINITY]);
+        // Short binary fractions add up exactly.
+        assert_eq!(value("{\"hi\":1.5,\"lo\":0.25}").numbers(), [1.75]);
+    }
+}

@@ -137,4 +137,12 @@ mod tests {
             assert!(crate::cases::all().iter().any(|known| known.id.starts_with(case)), "{case}");
         }
     }
+
+    #[test]
+    fn a_case_has_the_pictures_of_the_first_name_that_fits() {
+        assert_eq!(of_case("by-hand.crossover"), ["motion"]);
+        assert_eq!(of_case("by-hand.equations"), ["step"]);
+        assert_eq!(of_case("momentum.fig3"), ["momentum"]);
+        assert!(of_case("no-case").is_empty());
+    }
 }

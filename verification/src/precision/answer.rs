@@ -247,4 +247,10 @@ mod tests {
         let entry = by_chance.reached(stored(), PAGE).unwrap();
         assert!(entry.refinement > 2.0);
     }
+
+    #[test]
+    fn the_answer_of_the_stored_record_is_that_of_the_committed_page() {
+        let committed = include_str!("../../../VALIDATION.md");
+        assert!(committed.contains(&page(stored())));
+    }
 }

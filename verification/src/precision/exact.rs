@@ -269,3 +269,24 @@ fn kink(segments: &[Segment]) -> Option<Kink> {
     let level = 0.5 * (sharpest[0].state.direction.y + sharpest[1].state.direction.y);
     (turn(sharpest) > 0.0).then_some(Kink { at: sharpest[0].to, level })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+    use crate::precision::variants::Precision;
+
+    #[test]
+    fn no_front_is_awaited_whose_time_no_solution_knows() {
+        let is_awaited = |name| {
+            let scene = shipped(name);
+            let precision = Precision::Double;
+            let run = Run { scene, pulled_along: false, precision, flagged: true };
+            Arrival::of(&run).is_some()
+        };
+        assert!(is_awaited("single-400") && is_awaited("fig3"));
+        for name in ["finite-projectile", "hardening", "viscoelastic"] {
+            assert!(!is_awaited(name), "{name}");
+        }
+    }
+}

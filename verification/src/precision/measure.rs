@@ -266,3 +266,90 @@ fn timed_exact(
         seconds: seconds(&timed[0]),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::precision::stored::stored;
+
+    /// Of an earlier run, on a machine that had the engine.
+    fn stored_times() -> Times {
+        Times::parse(include_str!("../../../docs/work-precision/times.json")).unwrap()
+    }
+
+    #[test]
+    fn those_who_march_are_those_of_the_stored_times() {
+        let times = stored_times();
+        let (folder, engine) = (Scratch::new().unwrap(), PathBuf::from("engine"));
+        for problem in Problem::ALL {
+            let timed = times.runs.iter().filter(|run| run.problem == problem);
+            let timed: Vec<_> = timed.map(|run| (run.contestant.clone(), run.elements)).collect();
+            let all = marches(stored(), problem, Some(&engine), &folder).unwrap();
+            let found = all.iter().map(|(who, contestant)| {
+                assert_eq!(who.name(), contestant.name);
+                let series = stored().series(problem, who.variant.name);
+                (who.name(), series[who.mesh].elements)
+            });
+            assert_eq!(found.collect::<Vec<_>>(), timed, "{problem:?}");
+        }
+    }
+
+    /// The coarsest mesh of each variant, and all exact solutions, against the stored times of the same.
+    #[test]
+    fn what_is_timed_is_what_was_timed_for_the_stored_times() {
+        let mut record = stored().clone();
+        record.entries.retain(|entry| entry.refinement < 0.3);
+        let effort = Effort { rounds: 1, instructions: false };
+        let (times, notes) = times(&record, effort).unwrap();
+        let stored = stored_times();
+        assert_eq!(notes.len(), usize::from(engine().is_none()), "{notes:?}");
+        assert_eq!((times.format.as_str(), times.rounds), (FORMAT, 1));
+        assert!(times.calibration.least > 0.0 && !times.machine.is_empty());
+
+        let meshes = record.entries.iter().map(|entry| (entry.problem, entry.elements));
+        let meshes: Vec<_> = meshes.collect();
+        let runs = |of: &Times| {
+            let own = |run: &&TimedRun| {
+                run.contestant != ENGINE && meshes.contains(&(run.problem, run.elements))
+            };
+            let what = |run: &TimedRun| (run.problem, run.contestant.clone(), run.elements);
+            of.runs.iter().filter(own).map(what).collect::<Vec<_>>()
+        };
+        assert_eq!(runs(&times), runs(&stored));
+        for run in &times.runs {
+            let Seconds { least, median, greatest } = run.seconds;
+            assert!(0.0 < least && least <= median && median <= greatest, "{run:?}");
+            assert_eq!(run.instructions, None);
+        }
+
+        let exact = |of: &Times| {
+            let what = |e: &TimedExact| (e.problem, e.strain, e.resolution, e.meetings);
+            of.exact.iter().map(what).collect::<Vec<_>>()
+        };
+        assert_eq!(exact(&times), exact(&stored));
+        for (found, known) in times.exact.iter().zip(&stored.exact) {
+            // Below 1e-15 it is rounding.
+            let apart = (found.error_bound - known.error_bound).abs();
+            assert!(apart <= 1e-9 * known.error_bound + 1e-15, "{found:?} {known:?}");
+            assert!(found.seconds.least > 0.0, "{found:?}");
+        }
+    }
+
+    /// A number that the command does not know, a march without flags, a pull along the fibre, another
+    /// program, and a mesh that takes too long.
+    #[test]
+    fn instructions_are_counted_of_what_the_command_runs_on_two_meshes_only() {
+        let uncounted = |problem, name, refinement, by_engine| {
+            let series = stored().series(problem, name);
+            let mesh = series.iter().position(|entry| entry.refinement == refinement).unwrap();
+            let who = Who { variant: Variant::named(name), mesh, by_engine };
+            let found = who.instructions(problem, series[mesh]).unwrap();
+            assert_eq!(found, None, "{problem:?} {name} {refinement}");
+        };
+        uncounted(Problem::Single, "eqn (4), α = 1, f32", 1.0, false);
+        uncounted(Problem::Single, "eqn (4), α = 1, no flags", 1.0, false);
+        uncounted(Problem::Rod, "eqn (4), α = 1", 1.0, false);
+        uncounted(Problem::Single, "eqn (4), α = 1", 1.0, true);
+        uncounted(Problem::Single, "eqn (4), α = 1", 2.0, false);
+    }
+}

@@ -277,4 +277,10 @@ mod tests {
             matches!(split.rest, Rest::Together { ref why, .. } if why.contains("oscillating"))
         );
     }
+
+    #[test]
+    fn the_splits_of_the_stored_record_are_those_of_the_committed_page() {
+        let page = include_str!("../../../VALIDATION.md");
+        assert!(page.contains(&table(crate::precision::stored::stored())));
+    }
 }

@@ -44,3 +44,16 @@ impl Build {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_build_says_what_made_it() {
+        let build = Build::here();
+        assert!(build.compiler.starts_with("rustc "), "{build:?}");
+        assert!(["debug", "release", "unknown"].contains(&build.profile.as_str()), "{build:?}");
+        assert!(build.source.len() == 16 && build.target.contains('-'), "{build:?}");
+    }
+}

@@ -163,6 +163,7 @@ mod tests {
             ]
         );
         assert_eq!(pieces("αβ"), [Text("αβ")]);
+        assert_eq!(pieces("`c`"), [Code("c")]);
     }
 
     #[test]
@@ -180,5 +181,9 @@ mod tests {
             assert!(html.contains(part), "{part} in {html}");
         }
         assert!(!prose("[y](javascript:z)").into_string().contains("href"));
+        // A number that begins a sentence, and a point that follows none, number nothing.
+        for words in ["1980 fibres", ". x"] {
+            assert_eq!(prose(words).into_string(), format!("<p>{words}</p>"));
+        }
     }
 }

@@ -127,6 +127,23 @@ mod tests {
         assert!(failing.len() < 6000, "{}", failing.len());
     }
 
+    /// The second check of the troubled case, repeated so that so many checks do not pass.
+    fn with_troubles(count: usize) -> String {
+        let mut record = made_up::record();
+        record.cases.truncate(2);
+        let failing = record.cases[1].checks[1].clone();
+        record.cases[1].checks = vec![failing; count];
+        render(&record)
+    }
+
+    #[test]
+    fn of_many_troubles_the_first_twenty_are_shown_and_the_others_counted() {
+        let rows = |text: &str| text.matches("| a.troubled |").count();
+        let (twenty, more) = (with_troubles(20), with_troubles(23));
+        assert_eq!((rows(&twenty), twenty.contains(" more.")), (20, false));
+        assert_eq!((rows(&more), more.contains("\nand 3 more.\n")), (20, true));
+    }
+
     #[test]
     fn a_part_of_the_cases_is_told_to_be_one() {
         let mut record = made_up::passing();

@@ -152,6 +152,7 @@ mod tests {
     fn a_command_can_be_copied_to_a_shell() {
         assert_eq!(argument("smith.plateau"), "smith.plateau");
         assert_eq!(argument("a; rm x"), "'a; rm x'");
+        assert_eq!(argument(""), "''");
         assert_eq!(argument("it's $(x)"), "'it'\\''s $(x)'");
     }
 

@@ -129,5 +129,15 @@ mod tests {
         gap(|m| m.faults[1].caught_by = vec![2], "no quick check notices `small`");
         gap(|m| m.faults[0].stopped.clear(), "`second` of b notices no fault");
         gap(|m| m.rewrites[0].caught_by = vec![0], "falls for `other-words`");
+        // Of a case with a check of bits the other checks are none.
+        let other = |m: &mut Matrix| {
+            m.checks[0].case = "record.stored".into();
+            m.rewrites[0].caught_by = vec![0];
+        };
+        gap(other, "`first` of record.stored falls for `other-words`");
+        let mut of_bits = matrix();
+        other(&mut of_bits);
+        of_bits.checks[0].claim = "All numbers come out the same".into();
+        assert!(judge(&of_bits).is_well());
     }
 }

@@ -72,6 +72,8 @@ fn parts_united_are_the_whole_to_the_bit() {
     let both = places(united.path(), &[one.path(), two.path()], None);
     assert_eq!(swept(&both).unwrap().1, 0);
     assert_eq!(files(united.path()), files(whole.path()));
+    // Once more: both have every point, and the same.
+    assert_eq!(swept(&both).unwrap().1, 0);
     // A plain copy does as well.
     for (name, text) in files(two.path()) {
         fs::write(one.path().join(name), text).unwrap();
@@ -119,6 +121,20 @@ fn a_value_that_is_no_number_is_not_taken_for_one() {
     let all = places(folder.path(), &[], None);
     let error = sweep(STUDY, &points(), &all, |_| f64::NAN).unwrap_err();
     assert!(error.to_string().contains("null"), "{error}");
+}
+
+#[test]
+fn a_point_that_cannot_be_read_is_not_computed_again() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("cube-2.json")).unwrap();
+    let computed = AtomicUsize::new(0);
+    let compute = |x: &f64| {
+        computed.fetch_add(1, Ordering::Relaxed);
+        cube(x)
+    };
+    let error = sweep(STUDY, &points(), &places(folder.path(), &[], None), compute).unwrap_err();
+    assert!(error.to_string().contains("cube-2.json"), "{error}");
+    assert_eq!(computed.into_inner(), 0);
 }
 
 #[test]

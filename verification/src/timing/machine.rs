@@ -128,6 +128,39 @@ mod tests {
         assert_eq!(field(text, "PRETTY_NAME", '='), None);
     }
 
+    /// What Linux says of the first processor.
+    #[cfg(target_os = "linux")]
+    fn said(name: &str) -> Option<String> {
+        let text = fs::read_to_string("/proc/cpuinfo").unwrap();
+        let line = text.lines().find(|line| line.starts_with(name))?;
+        line.split_once(": ").map(|(_, value)| value.trim().to_owned())
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_processor_is_called_as_the_system_calls_it() {
+        assert_eq!(processor(), said("model name"));
+    }
+
+    #[test]
+    #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+    fn vectors_are_those_that_the_system_knows_of() {
+        let flags = said("flags").unwrap();
+        let is_there = |name: &str| flags.split_whitespace().any(|flag| flag == name);
+        // A name without its hyphen and in small letters is the flag.
+        let all = ["AVX2", "FMA", "AVX-512F", "AVX-512DQ", "AVX-512VL"].into_iter();
+        let expected = all.filter(|name| is_there(&name.replace('-', "").to_lowercase()));
+        assert_eq!(vectors(), expected.collect::<Vec<_>>());
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_version_is_the_first_line_of_a_program_that_succeeds() {
+        let printed = |script: &str| version(Command::new("sh").args(["-c", script]));
+        assert_eq!(printed("echo cc 7.3; echo more").as_deref(), Some("cc 7.3"));
+        assert_eq!(printed("echo cc 7.3; exit 1"), None);
+    }
+
     #[test]
     fn what_a_machine_does_not_say_is_called_unknown() {
         let machine = Machine {

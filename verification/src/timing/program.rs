@@ -113,6 +113,24 @@ mod tests {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn a_program_is_built_beside_its_source_or_it_is_said_why_not() {
+        if Command::new("make").arg("--version").output().is_err() {
+            return; // nothing to build with
+        }
+        let [source, elsewhere] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+        std::fs::write(source.path().join("part"), "a part").unwrap();
+        let rules = "march: part\n\tcp $< $@\nbroken:\n\t@echo no such thing >&2; false\n";
+        std::fs::write(source.path().join("Makefile"), rules).unwrap();
+        let into = elsewhere.path().join("new");
+        let built = build(source.path(), &into, "march").unwrap();
+        assert_eq!(built, into.join("march"));
+        assert_eq!(std::fs::read_to_string(built).unwrap(), "a part");
+        let error = build(source.path(), &into, "broken").unwrap_err().to_string();
+        assert!(error.starts_with("broken does not build: no such thing"), "{error}");
+    }
+
+    #[test]
     fn the_arguments_read_back_to_the_numbers_of_the_scene() {
         let scene = shipped("single-400");
         let mut command = Command::new("march");

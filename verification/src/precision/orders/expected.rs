@@ -248,3 +248,15 @@ const ROD_DISPERSED: &str = "A front of (h²t)^(1/3) with nothing beside it: 1/3
 const ROD_ARRIVAL: &str = "Half of the strain comes later by a part of the front's width.";
 
 const WRONG: &str = "The printed coupling is another problem: its limit is not the exact one.";
+
+#[cfg(test)]
+mod tests {
+    use super::super::table;
+    use crate::precision::stored::stored;
+
+    #[test]
+    fn the_orders_of_the_stored_record_are_those_of_the_committed_page() {
+        let page = include_str!("../../../../VALIDATION.md");
+        assert!(page.contains(&table(stored())));
+    }
+}

@@ -118,3 +118,29 @@ fn numbers(matrix: &Matrix) -> Markup {
             (table("Faults and what notices them", &columns, matrix.faults.iter().map(row).collect())) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::made_up;
+    use crate::sensitivity::matrix::Column;
+
+    #[test]
+    fn the_picture_has_room_for_every_case() {
+        let mut matrix = made_up::passing().sensitivity.unwrap();
+        let width = |matrix: &Matrix| {
+            let page = picture(matrix).into_string();
+            let after = page.split("\" width=\"").nth(1).unwrap().to_owned();
+            after.split('"').next().unwrap().parse::<usize>().unwrap()
+        };
+        let one = width(&matrix);
+        matrix.checks.push(Column { case: "smith.kink".into(), ..matrix.checks[0].clone() });
+        assert_eq!(width(&matrix), one + CELL);
+    }
+
+    #[test]
+    fn a_name_of_34_letters_has_room() {
+        assert_eq!(short(&"a".repeat(34)), "a".repeat(34));
+        assert_eq!(short(&"a".repeat(35)), "a".repeat(33) + "…");
+    }
+}

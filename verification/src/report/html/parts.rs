@@ -119,6 +119,20 @@ mod tests {
     use crate::report::FOLDER;
 
     #[test]
+    fn a_duration_has_the_unit_that_suits_it() {
+        for (seconds, words) in [
+            (0.0009, "900 µs"),
+            (0.001, "1.0 ms"),
+            (0.09, "90.0 ms"),
+            (0.1, "100 ms"),
+            (0.9, "900 ms"),
+            (1.0, "1.00 s"),
+        ] {
+            assert_eq!(duration(seconds), words);
+        }
+    }
+
+    #[test]
     fn an_address_holds_nothing_that_ends_it() {
         let uri = data_uri("<a b=\"#%'&\nµ\">\u{0}</a>");
         assert_eq!(uri, "data:image/svg+xml,%3Ca b=%22%23%25%27%26 %C2%B5%22%3E%00%3C/a%3E");

@@ -181,6 +181,28 @@ mod tests {
         assert_eq!(used(&check(0.0, Bound::Exactly(0.0))), None);
     }
 
+    /// Head-rooms of 1, 1.5, 8 and 9: at the ends of classes each is in the upper one, but for the last, and what
+    /// is too loose is in none.
+    #[test]
+    fn a_head_room_is_counted_in_one_class() {
+        let mut record = made_up::passing();
+        let checks = [(1.0, 1.0), (0.5, 0.75), (0.125, 1.0), (1.0, 9.0)];
+        let model = record.cases[0].checks[0].clone();
+        record.cases[0].checks = checks
+            .iter()
+            .map(|&(measured, most)| {
+                let bound = Bound::AtMost(most);
+                CheckRecord { check: Check { measured, bound, ..model.check.clone() }, ..model }
+            })
+            .collect();
+        let case = &record.cases[0];
+        let judged: Vec<_> = case.checks.iter().map(|check| (case, check)).collect();
+        let page = spread(&judged).into_string();
+        let counts: Vec<&str> =
+            page.split("<td>").skip(2).filter_map(|cell| cell.split('<').next()).collect();
+        assert_eq!(counts, ["1", "1", "0", "0", "0", "1"]);
+    }
+
     #[test]
     fn the_tightest_tolerance_comes_first() {
         let record = made_up::passing();
