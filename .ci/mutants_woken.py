@@ -34,7 +34,7 @@ ENVIRONMENT = {
 
 def built(root, work, selected, package, names, targets):
     """Builds mutants and tests: the plan, and the programs by the names of their targets."""
-    options = ["--profile=mutants", f"--package={package}", "--memory=off", "--no-relaunch", "--progress=never"]
+    options = ["--profile=mutants", f"--package={package}", "--all-features", "--memory=off", "--no-relaunch", "--progress=never"]
     only = [f"--include-test={target}" for target in targets]
     which = [f"--artifact-dir={work}", *(f"--mutant={name}" for name in names)]
     # Asked are no tests: what is wanted is what has been built by the time that they would be.
