@@ -39,6 +39,12 @@ fn a_part_has_reports_where_a_folder_is_named_but_no_validation() {
         .collect();
     files.sort();
     assert_eq!(files, ["junit.xml", "report.html", "report.json", "sensitivity.md", "summary.md"]);
+    // Every case but the one that was run is named as left out.
+    let report = fs::read_to_string(folder.path().join("reports/report.json")).unwrap();
+    let report: Value = serde_json::from_str(&report).unwrap();
+    let left_out: Vec<_> = report["left_out"].as_array().unwrap().iter().collect();
+    let others = all().into_iter().filter(|case| case.id != "identity.both-at-origin");
+    assert_eq!(left_out, others.map(|case| case.id).collect::<Vec<_>>());
 }
 
 #[test]

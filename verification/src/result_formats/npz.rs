@@ -57,3 +57,17 @@ fn array(shape: &[usize], numbers: &[f64]) -> Vec<u8> {
     bytes.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
     bytes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten bytes, 57 of words and the end of the line are 68: the numbers begin at the next multiple of 64.
+    #[test]
+    fn numbers_begin_at_the_next_multiple_of_64_bytes() {
+        let bytes = array(&[3], &[1.0, 2.0, 3.0]);
+        assert_eq!(bytes.len(), 128 + 24);
+        assert_eq!((&bytes[8..10], bytes[127]), (&[118, 0][..], b'\n'));
+        assert_eq!(bytes[128..136], 1.0_f64.to_le_bytes());
+    }
+}
