@@ -5,9 +5,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Written by `.ci/mutants`, `.ci/coverage` and `.ci/fuzz`.
-const STORED: [&str; 4] = [
+const STORED: [&str; 5] = [
     include_str!("../../docs/mutants.json"),
-    include_str!("../../docs/mutants-judges.json"),
+    include_str!("../../docs/mutants-command.json"),
+    include_str!("../../docs/mutants-candidates.json"),
     include_str!("../../docs/coverage.json"),
     include_str!("../../docs/fuzz.json"),
 ];
@@ -60,9 +61,11 @@ mod tests {
     #[test]
     fn what_goes_unnoticed_or_is_not_reached_has_a_reason_and_no_input_shows_a_fault() {
         let stored = stored();
-        let [library, judges, coverage, fuzz] = stored.as_slice() else { panic!("{stored:?}") };
+        let [library, command, candidates, coverage, fuzz] = stored.as_slice() else {
+            panic!("{stored:?}")
+        };
         assert_eq!(number_of(library, "unnoticed without a reason"), 0);
-        for mutants in [library, judges] {
+        for mutants in [library, command, candidates] {
             // Each has come to one end.
             let ends =
                 ["caught", "out of time", "not compiled", "survived", "not reached", "not tried"];
