@@ -77,8 +77,8 @@ fn made_up(k: usize, task: &Task) -> Found {
     match task {
         Task::Limits(_) => Found::Limits {
             predicted: Some(near_one(13)),
-            measured: (k % 7 != 0).then(|| near_one(13) + 1e-3 * (k % 3) as f64),
-            allowed: (k % 5 != 0).then(|| near_one(17)),
+            measured: (!k.is_multiple_of(7)).then(|| near_one(13) + 1e-3 * (k % 3) as f64),
+            allowed: (!k.is_multiple_of(5)).then(|| near_one(17)),
         },
         Task::Shaken { sizes, .. } => {
             let shaken = |j: usize| Shaken {
@@ -87,7 +87,7 @@ fn made_up(k: usize, task: &Task) -> Found {
             };
             Found::Shaken((0..sizes.len()).map(shaken).collect())
         }
-        Task::Edge(_) => Found::Edge((k % 5 != 0).then(|| near_one(11))),
+        Task::Edge(_) => Found::Edge((!k.is_multiple_of(5)).then(|| near_one(11))),
         Task::Perturbed { courant, .. } | Task::Struck { courant, .. } => {
             Found::Cells(courant.iter().enumerate().map(cell).collect())
         }

@@ -279,7 +279,8 @@ pub fn shortened(line: &str) -> String {
     }
 }
 
-#[cfg(all(test, unix))] // the programs are those of any Unix
+#[cfg(test)]
+#[cfg(unix)] // the programs are those of any Unix
 mod tests {
     use std::path::Path;
 

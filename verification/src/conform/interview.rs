@@ -84,7 +84,8 @@ pub fn conform(
     Ok((report, session))
 }
 
-#[cfg(all(test, unix))] // the program is one of any Unix
+#[cfg(test)]
+#[cfg(unix)] // the program is one of any Unix
 mod tests {
     use std::time::Duration;
 
