@@ -4,17 +4,18 @@
 
 #![allow(clippy::unwrap_used)] // a test may
 
+mod planted_support;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use crossfibre_verification::cases::{self, Case};
 use crossfibre_verification::record::{Record, run_cases};
 use crossfibre_verification::report::markdown;
 use crossfibre_verification::sensitivity::matrix::{Matrix, Row};
-use crossfibre_verification::sensitivity::one::ask;
 use crossfibre_verification::sensitivity::stored::stored;
+use planted_support::agrees_with_the_matrix;
 
 fn checked_in() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../VALIDATION.md");
@@ -62,28 +63,10 @@ fn faults_for(matrix: &'static Matrix, id: &str) -> Vec<&'static Row> {
     chosen
 }
 
-/// Runs a case with faults planted, a process for each: its checks fail and stand as the matrix says.
+/// Each check of a case fails with a fault, as the matrix says.
 fn can_fail(id: &str) {
-    let matrix = stored();
-    for row in faults_for(matrix, id) {
-        let mut process = Command::new(env!("CARGO_BIN_EXE_crossfibre"));
-        process.args(["verify", "--plant", &row.id, "--filter", id]);
-        let of_name = cases::all().iter().filter(|case| case.id.contains(id)).count();
-        let said = ask(&mut process, of_name).unwrap();
-        let said = said.iter().find(|said| said.case == id);
-        assert_eq!(said.is_none(), row.stops(id), "whether `{}` stops it", row.id);
-        let Some(said) = said else { continue };
-        let noticing: Vec<usize> = matrix.noticing(row).collect();
-        for (k, check) in matrix.checks.iter().enumerate().filter(|(_, check)| check.case == id) {
-            assert_eq!(
-                said.stands(&check.claim),
-                !noticing.contains(&k),
-                "with `{}` planted: {}\nif that is meant, measure the matrix again by `crossfibre verify \
-                 --sensitivity --quick --out docs/sensitivity`, read what has changed, and commit it",
-                row.id,
-                check.claim
-            );
-        }
+    for row in faults_for(stored(), id) {
+        agrees_with_the_matrix(row, id);
     }
 }
 
