@@ -40,16 +40,19 @@ def built(root, work, selected, package, names, targets):
     # Asked are no tests: what is wanted is what has been built by the time that they would be.
     command = ["cargo", "gamma", "run", *selected, *options, *only, *which, "--", "no test has this name"]
     began = time.time()
+
+    def sessions():
+        found = (root / "target/cargo-gamma/cache").glob("*/testing-session.json")
+        return [session for session in found if session.stat().st_mtime > began]
+
     print(f"building {len(names)} mutants of {package} ...", flush=True)
     tool = subprocess.Popen(command, cwd=root, env=os.environ | ENVIRONMENT, start_new_session=True)
     while tool.poll() is None:
-        sessions = list((root / "target/cargo-gamma/cache").glob("*/testing-session.json"))
-        if any(session.stat().st_mtime > began for session in sessions):
+        if sessions():
             os.killpg(tool.pid, signal.SIGINT)
             tool.wait()
         time.sleep(0.2)
-    sessions = list((root / "target/cargo-gamma/cache").glob("*/testing-session.json"))
-    fresh = [session for session in sessions if session.stat().st_mtime > began]
+    fresh = sessions()
     if not fresh:
         sys.exit(f"cargo gamma ended with {tool.returncode} and has built nothing")
     session = json.loads(fresh[0].read_text())
@@ -114,16 +117,11 @@ class Question:
 def woken(mutants, programs, questions_of, tell):
     """Wakes mutants, and tells what comes of each."""
     known, noticed = {}, {}
-
-    def question(words):
-        if words not in known:
-            known[words] = Question(programs, words)
-        return known[words]
-
+    asked = {mutant["file"]: questions_of(mutant["file"]) for mutant in mutants}
     # The measure of time is taken before anything else runs.
-    asked = {mutant["id"]: questions_of(mutant["file"]) for mutant in mutants}
     for words in sorted({words for of_file in asked.values() for words in of_file}):
-        print(f"  {words}: at most {question(words).limit:.0f} s", flush=True)
+        known[words] = Question(programs, words)
+        print(f"  {words}: at most {known[words].limit:.0f} s", flush=True)
 
     scratch = Path(tempfile.mkdtemp())
 
@@ -135,7 +133,7 @@ def woken(mutants, programs, questions_of, tell):
         is_reached = False
         # What has noticed the one before often notices this.
         first = noticed.get(mutant["file"])
-        for words in sorted(asked[mutant["id"]], key=lambda words: words != first):
+        for words in sorted(asked[mutant["file"]], key=lambda words: words != first):
             end = known[words].end(extra)
             if end != "passed":
                 noticed[mutant["file"]] = words
