@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use console::{Term, truncate_str};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cases::{Case, all};
@@ -26,13 +27,14 @@ pub fn run(cases: &[Case], print_lines: bool) -> io::Result<Vec<CaseRecord>> {
         bar.set_message(running.join(", "));
     };
     let lines = Mutex::new(InOrder::default());
+    let columns = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
     let records = run_watched(
         cases,
         |case| show(&|running| running.push(case.id)),
         |place, record| {
             if print_lines {
                 let mut lines = held(&lines);
-                bar.suspend(|| lines.done(place, line(record), &mut anstream::stdout()));
+                bar.suspend(|| lines.done(place, line(record, columns), &mut anstream::stdout()));
             }
             show(&|running| running.retain(|id| *id != record.id));
             bar.inc(1);
@@ -78,17 +80,18 @@ impl InOrder {
     }
 }
 
-/// A case in a line, and each check that did not pass in another.
-fn line(case: &CaseRecord) -> String {
+/// A case in a line, cut off where a terminal ends, and each check that did not pass in another.
+fn line(case: &CaseRecord, columns: Option<usize>) -> String {
     let troubles: Vec<_> = case.troubles().collect();
     let (style, mark) = if troubles.is_empty() { (GOOD, "ok    ") } else { (BAD, "FAILED") };
     let passed = case.checks.len() - troubles.len();
-    let mut text = format!(
-        "{style}{mark}{style:#} {:26} {passed:2}/{:<2}  {}\n",
+    let whole = format!(
+        "{style}{mark}{style:#} {:26} {passed:2}/{:<2}  {}",
         case.id,
         case.checks.len(),
         case.title
     );
+    let mut text = truncate_str(&whole, columns.unwrap_or(usize::MAX), "…").into_owned() + "\n";
     for trouble in troubles {
         text += &format!("         {}: {}\n", trouble.check.claim, trouble.verdict.words());
     }
@@ -196,12 +199,19 @@ mod tests {
 
     #[test]
     fn a_case_is_a_line_with_a_mark() {
-        let strip = |line: String| anstream::adapter::strip_str(&line).to_string();
+        let shown = |verdict, columns| {
+            let text = line(&case("smith.kink", verdict), columns);
+            anstream::adapter::strip_str(&text).to_string()
+        };
+        let whole = "ok     smith.kink                  1/1   title of smith.kink\n";
+        assert_eq!(shown(Verdict::Passed, None), whole);
+        assert_eq!(shown(Verdict::Passed, Some(60)), whole);
         assert_eq!(
-            strip(line(&case("smith.kink", Verdict::Passed))),
-            "ok     smith.kink                  1/1   title of smith.kink\n"
+            shown(Verdict::Passed, Some(50)),
+            "ok     smith.kink                  1/1   title of…\n"
         );
-        let loose = strip(line(&case("smith.kink", Verdict::Loose)));
+        // What has failed is told in whole.
+        let loose = shown(Verdict::Loose, Some(50));
         assert!(loose.starts_with("FAILED smith.kink                  0/1 "), "{loose}");
         assert!(loose.contains("claim of smith.kink: bound too loose"), "{loose}");
     }
