@@ -1,8 +1,6 @@
 //! Whether the runner of conformance can tell rounding from faults: every equation in other words
 //! stays within what it allows, and every fault of the catalogue does not.
 
-use std::collections::BTreeMap;
-
 use crossfibre::corrected::{Corrected, Engineering, Incremental};
 use crossfibre::discretisation::Discretisation;
 use crossfibre::errata::Corrections;
@@ -12,7 +10,7 @@ use crossfibre::scene::{Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use super::{Bound, Case, Check};
-use crate::conform::by_name;
+use crate::conform::by_name::{self, Inputs};
 use crate::conform::expected::{self, Expected, kind};
 use crate::conform::judge::{Judged, allowed, judge};
 use crate::conform::protocol::{Ask, Edition, Form, Precision, StateRecord};
@@ -47,7 +45,7 @@ fn rewrites() -> Vec<Check> {
         for style in Style::ALL {
             let judged = match &item.ask {
                 Ask::Equation { eq, edition, inputs } if edition.corrections == Form::All => {
-                    let inputs = inputs.iter().map(|(k, v)| (k.clone(), v.numbers())).collect();
+                    let inputs = by_name::inputs(inputs);
                     rewritten_equation(style, *edition, eq.parse().unwrap_or(0), &inputs)
                 }
                 Ask::Step { scene, state } if scene.corrections == Corrections::ALL => {
@@ -89,7 +87,7 @@ fn rewritten_equation(
     style: Style,
     edition: Edition,
     number: u8,
-    inputs: &BTreeMap<String, Vec<f64>>,
+    inputs: &Inputs<f64>,
 ) -> Vec<Judged> {
     let expected = expected::of_equation(edition, number, inputs, Precision::F64);
     let found = match edition.strain {
@@ -160,7 +158,7 @@ fn faults() -> Vec<Check> {
     let (mut missed, mut blamed) = (0, 0);
     for &wrong in Wrong::ALL {
         let faulty = Faulty::new(&paper, wrong);
-        let is_beyond = |number: u8, inputs: &BTreeMap<String, Vec<f64>>, edition| {
+        let is_beyond = |number: u8, inputs: &Inputs<f64>, edition| {
             let expected = expected::of_equation(edition, number, inputs, Precision::F64);
             let found = evaluated(&faulty, number, inputs);
             held_against(&expected, |_| Some(found.clone())).iter().any(|j| !j.is_rounding())
@@ -171,7 +169,7 @@ fn faults() -> Vec<Check> {
                 && edition.corrections == Form::All
                 && edition.strain == Strain::Incremental
             {
-                let inputs = inputs.iter().map(|(k, v)| (k.clone(), v.numbers())).collect();
+                let inputs = by_name::inputs(inputs);
                 let number: u8 = eq.parse().unwrap_or(0);
                 beyond[usize::from(number)] |= is_beyond(number, &inputs, *edition);
             }
@@ -196,6 +194,6 @@ fn faults() -> Vec<Check> {
     ]
 }
 
-fn evaluated(paper: &impl Paper<f64>, number: u8, inputs: &BTreeMap<String, Vec<f64>>) -> Vec<f64> {
+fn evaluated(paper: &impl Paper<f64>, number: u8, inputs: &Inputs<f64>) -> Vec<f64> {
     by_name::evaluate(paper, number, inputs).unwrap_or_default()
 }

@@ -5,8 +5,15 @@ use std::collections::BTreeMap;
 use crossfibre::number::{Number, Vector};
 use crossfibre::paper::{Cosines, CrossoverPush, Direction, Lengths, Paper, ProjectilePush};
 
+use super::protocol::Value;
+
 /// Inputs by symbol; one number or the components of a vector.
 pub type Inputs<S> = BTreeMap<String, Vec<S>>;
+
+/// Inputs as questions have them.
+pub fn inputs(values: &BTreeMap<String, Value>) -> Inputs<f64> {
+    values.iter().map(|(name, value)| (name.clone(), value.numbers())).collect()
+}
 
 /// What an equation gives, or which input it lacks.
 pub fn evaluate<S: Number>(
@@ -161,8 +168,7 @@ mod tests {
     #[test]
     fn every_golden_vector_is_evaluated_to_its_bits_by_name() {
         for vector in vectors() {
-            let inputs: Inputs<f64> =
-                vector.inputs.iter().map(|(k, v)| (k.clone(), v.numbers())).collect();
+            let inputs = vector.numbers();
             let eq = vector.eq.parse().unwrap();
             let corrections = match vector.flags.contains(&Flag::Printed) {
                 true => Corrections::NONE,

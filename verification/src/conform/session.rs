@@ -1,6 +1,5 @@
 //! The conversation with a candidate: a question, an answer, a verdict.
 
-use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::time::{Duration, Instant};
 
@@ -10,9 +9,9 @@ use crossfibre::scene::Scene;
 
 use super::candidate::{Broken, Candidate, shortened};
 use super::compare::{Judge, Outcome};
-use super::expected;
 use super::protocol::{Answer, Ask, Depth, FORMAT, Hello, Precision, Question};
 use super::record::Verdict;
+use super::{by_name, expected};
 
 /// How a candidate is to be judged.
 #[derive(Clone, Debug)]
@@ -110,10 +109,9 @@ impl Session {
         let expected = match ask {
             Ask::Hello { .. } => return Outcome::broken("`hello` was asked before".into()),
             Ask::Equation { eq, edition, inputs } => {
-                let numbers: BTreeMap<_, _> =
-                    inputs.iter().map(|(name, v)| (name.clone(), v.numbers())).collect();
                 let number = eq.parse().unwrap_or(0);
-                Ok(expected::of_equation(*edition, number, &numbers, self.judge.precision))
+                let inputs = by_name::inputs(inputs);
+                Ok(expected::of_equation(*edition, number, &inputs, self.judge.precision))
             }
             Ask::Step { scene, state } => expected::of_step(scene, state, self.judge.precision),
             Ask::Run { scene } => Ok(expected::of_run(scene, self.judge.precision)),

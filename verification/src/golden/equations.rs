@@ -34,6 +34,13 @@ pub struct EquationVector {
     pub out: Value,
 }
 
+impl EquationVector {
+    /// What goes in, as numbers.
+    pub fn numbers(&self) -> BTreeMap<String, Vec<f64>> {
+        self.inputs.iter().map(|(name, value)| (name.clone(), value.numbers())).collect()
+    }
+}
+
 /// Sets of awkward inputs for each equation.
 const AWKWARD: u64 = 6;
 

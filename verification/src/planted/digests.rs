@@ -15,7 +15,7 @@ use crossfibre::result;
 use super::tests::{InPlainWords, scenes, text};
 use super::{exact, march, material, record};
 use crate::bits::fnv;
-use crate::conform::by_name::{Inputs, evaluate};
+use crate::conform::by_name::evaluate;
 use crate::faulty::rewritten::{Rewritten, Style};
 use crate::faulty::{Faulty, catalogue};
 use crate::golden::equations::{EquationVector, vectors};
@@ -35,9 +35,7 @@ fn assert_snapshot(name: &str, text: &str) {
 fn evaluated(paper: &impl Paper<f64>, vectors: &[&EquationVector]) -> u64 {
     let mut bits = vec![];
     for vector in vectors {
-        let inputs: Inputs<f64> =
-            vector.inputs.iter().map(|(k, v)| (k.clone(), v.numbers())).collect();
-        let out = evaluate(paper, vector.eq.parse().unwrap(), &inputs).unwrap();
+        let out = evaluate(paper, vector.eq.parse().unwrap(), &vector.numbers()).unwrap();
         bits.extend(out.iter().map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() }));
     }
     fnv(bits.into_iter().flat_map(u64::to_le_bytes))
