@@ -43,3 +43,30 @@ impl JsonSchema for Corrections {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use schemars::schema_for;
+
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_file_may_name_its_schema_by_a_text() {
+        let schema = schema_for!(Scene);
+        assert_eq!(schema.pointer("/properties/$schema/type"), Some(&json!("string")));
+    }
+
+    #[test]
+    fn corrections_are_all_none_or_ids_of_the_ledger() {
+        let schema = schema_for!(Corrections);
+        let said = |pointer: &str| schema.pointer(pointer).and_then(Value::as_str);
+        assert_eq!(said("/title"), Some("Corrections"));
+        assert_eq!(said("/oneOf/0/const"), Some("all"));
+        assert_eq!(said("/oneOf/1/const"), Some("none"));
+        for (k, erratum) in Erratum::ALL.iter().enumerate() {
+            let id = format!("/oneOf/2/items/oneOf/{k}/const");
+            assert_eq!(said(&id), Some(erratum.entry().id));
+        }
+    }
+}
