@@ -38,3 +38,21 @@ pub fn text(path: &Path, help: &str) -> Result<(String, String)> {
     })?;
     Ok((name, text))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_of_what_is_not_there_is_it_said_that_there_is_no_such_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        fs::write(&file, "mine").unwrap();
+        let refused = |path: &Path| open(path).map(drop).unwrap_err().to_string();
+        assert!(refused(&folder.path().join("none")).ends_with("none: there is no such file"));
+        assert!(refused(folder.path()).ends_with(": is a directory, not a file"));
+        // Some systems say of a file in a file that it is not there, others that the first is no folder.
+        #[cfg(unix)]
+        assert!(refused(&file.join("x")).ends_with("x"));
+    }
+}

@@ -195,6 +195,8 @@ mod tests {
         let refused = |path: &Path| Destination::of(Some(path)).unwrap_err().to_string();
         assert!(refused(folder.path()).ends_with(": is a directory"));
         assert!(refused(&folder.path().join("a/b.json")).contains("there is no folder"));
+        fs::write(folder.path().join("file"), "mine").unwrap();
+        assert!(refused(&folder.path().join("file/b.json")).contains("there is no folder"));
     }
 
     #[test]

@@ -255,7 +255,12 @@ impl Verdict {
 
 #[cfg(test)]
 mod tests {
+    use crossfibre::corrected::{Corrected, Incremental};
+    use crossfibre::errata::Corrections;
+    use crossfibre::place::Fibre;
+
     use super::*;
+    use crate::cases::support::shipped;
 
     #[test]
     fn a_value_that_the_lines_do_not_give_is_wrong() {
@@ -265,5 +270,75 @@ mod tests {
         assert_eq!(Verdict::of(&[0.3], &[step(0.1 + 0.2)], true), Verdict::Functions);
         assert_eq!(Verdict::of(&[f64::NAN], &[step(f64::NAN)], false), Verdict::Same);
         assert_eq!(Verdict::of(&[0.3, 0.7], &[step(0.3)], false), Verdict::Wrong);
+    }
+
+    /// No number is one whatever its bits, and nothing else is.
+    #[test]
+    fn what_is_no_number_is_the_same_as_what_is_none() {
+        let verdict = |traced, value| {
+            Verdict::of(
+                &[traced],
+                &[Step { name: "u".into(), numbers: String::new(), value }],
+                false,
+            )
+        };
+        assert_eq!(verdict(f64::NAN, -f64::NAN), Verdict::Same);
+        assert_eq!(verdict(0.3, f64::NAN), Verdict::Wrong);
+        assert_eq!(verdict(f64::NAN, 0.3), Verdict::Wrong);
+    }
+
+    /// (7) of 0.25 in a fibre of 16 N: 4 N, and not 5.
+    fn of_7<W: Write>(worked: &mut Worked<'_, W>, tension: f64) {
+        worked.event(&Event {
+            place: Place { step: 3, fibre: Fibre::Primary, index: 1 },
+            equation: 7,
+            inputs: &[("E", Value::Scalar(16.0)), ("strain", Value::Scalar(0.25))],
+            output: Value::Scalar(tension),
+        });
+    }
+
+    fn corrected() -> Corrected<Incremental> {
+        Corrected::new(Corrections::ALL)
+    }
+
+    #[test]
+    fn evaluations_and_those_that_are_wrong_are_counted() {
+        let scene = shipped("single-400");
+        let mut text = Vec::new();
+        let mut worked = Worked::new(&mut text, &scene, &corrected(), Filter::default());
+        for tension in [4.0, 5.0, 4.0, 5.0] {
+            of_7(&mut worked, tension);
+        }
+        let tally = worked.finish().unwrap();
+        assert_eq!((tally.events, tally.wrong), (4, 2));
+        let text = String::from_utf8(text).unwrap();
+        assert_eq!(text.matches("traced      4.0: the same to the last bit").count(), 2);
+        assert_eq!(text.matches("traced      5.0: NOT THE SAME, ").count(), 2);
+    }
+
+    /// Takes nothing, and counts how often it is asked.
+    struct Full(u32);
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            self.0 += 1;
+            Err(io::ErrorKind::StorageFull.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn nothing_is_written_after_what_could_not_be() {
+        let scene = shipped("single-400");
+        let mut full = Full(0);
+        let mut worked = Worked::new(&mut full, &scene, &corrected(), Filter::default());
+        for tension in [4.0, 4.0] {
+            of_7(&mut worked, tension);
+        }
+        assert_eq!(worked.finish().unwrap_err().kind(), io::ErrorKind::StorageFull);
+        assert_eq!(full.0, 1);
     }
 }

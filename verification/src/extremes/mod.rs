@@ -124,6 +124,16 @@ fn tally<'a>(outcomes: impl IntoIterator<Item = &'a Outcome>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::support::shipped;
+
+    #[test]
+    fn one_is_for_a_scene_that_is_refused() {
+        let mut scene = shipped("single-400");
+        assert_eq!((refused(&scene), verdict(&scene)), (0.0, "accepted".into()));
+        scene.courant = -0.7;
+        assert_eq!(refused(&scene), 1.0);
+        assert!(verdict(&scene).starts_with("refused: courant: "), "{}", verdict(&scene));
+    }
 
     #[test]
     fn each_group_is_a_case() {

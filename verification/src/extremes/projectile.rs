@@ -69,7 +69,7 @@ fn heavy() -> Row {
     let slowed = run(&struck(nodes, 28.7e-6));
     let mut kept = struck(nodes, 28.7e-6);
     let mass = kept.projectile.mass.take().unwrap_or(f64::NAN);
-    let impulse = -run(&kept).balance.map_or(f64::NAN, |b| b.momentum.drive);
+    let impulse = run(&kept).balance.map_or(f64::NAN, |b| b.momentum.drive);
     // The velocity of the last step; the projectile has already been slowed for the next.
     let lost = mass * (400.0 - slowed.primary.velocity[0][1]);
     row(

@@ -77,33 +77,44 @@ fn different(plain: &[Vec<f64>], scaled: &[Vec<f64>]) -> usize {
         .sum()
 }
 
+/// How far a unit can be changed in one direction, and what is spoilt.
+struct Reach {
+    /// The last power of two before one is refused.
+    last: i32,
+    /// Numbers that differ in the scenes that are run, and powers accepted beyond a refused one.
+    spoilt: usize,
+}
+
+impl Reach {
+    fn of(accepted: impl Fn(&i32) -> bool, different: impl Fn(i32) -> usize) -> Self {
+        let last = (1..=1100).take_while(&accepted).last().unwrap_or(0);
+        let beyond = (last + 1..=1100).filter(accepted).map(|_| 1);
+        let run = (1..=last).filter(|n| n % 23 == 0 || n + 3 > last);
+        Self { last, spoilt: beyond.chain(run.map(different)).sum() }
+    }
+}
+
 fn line(name: &str, scene: &Scene) -> Row {
     let plain = numbers(&run(scene), [0, 0, 0]);
-    let mut spoilt = 0;
-    let mut ranges = Vec::new();
-    for (unit, [a, b, c]) in UNITS {
-        let edge = |sign: i32| {
-            let powers = move |n: i32| [a, b, c].map(|k| sign * k * n);
-            let accepted = |n: &i32| {
-                let [a, b, c] = powers(*n);
-                check(&rescaled(scene, a, b, c)).is_ok()
-            };
-            let last = (1..=1100).take_while(accepted).last().unwrap_or(0);
-            // Accepted again farther out there must be none.
-            let beyond = (last + 1..=1100).filter(accepted).count();
-            (last, beyond, powers)
-        };
-        let [down, up] = [-1, 1].map(edge);
-        for (last, beyond, powers) in [down, up] {
-            spoilt += beyond;
-            for n in (1..=last).filter(|n| n % 23 == 0 || n + 3 > last) {
+    let reaches = UNITS.map(|(_, powers)| {
+        [-1, 1].map(|sign| {
+            let powers = |n: i32| powers.map(|power| sign * power * n);
+            let scaled = |n: i32| {
                 let [a, b, c] = powers(n);
-                let result = run(&rescaled(scene, a, b, c));
-                spoilt += different(&plain, &numbers(&result, powers(n)));
-            }
-        }
-        ranges.push(format!("{unit} 2^-{} to 2^{}", down.0, up.0));
-    }
+                rescaled(scene, a, b, c)
+            };
+            Reach::of(
+                |&n| check(&scaled(n)).is_ok(),
+                |n| different(&plain, &numbers(&run(&scaled(n)), powers(n))),
+            )
+        })
+    });
+    let said = UNITS
+        .iter()
+        .zip(&reaches)
+        .map(|((unit, _), [down, up])| format!("{unit} 2^-{} to 2^{}", down.last, up.last));
+    let ranges: Vec<_> = said.collect();
+    let spoilt: usize = reaches.iter().flatten().map(|reach| reach.spoilt).sum();
     row(
         name,
         "The same bits, or refused",
@@ -126,4 +137,42 @@ fn rows() -> Vec<Row> {
         .collect();
     rows.push(line("single-400 at 1 mm/s", &slow));
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_may_be_one_that_no_number_is() {
+        // 2^-1100 is not a double, nor is 2^1100.
+        assert_eq!(times_power(2.0_f64.powi(1000), -1100), 2.0_f64.powi(-100));
+        assert_eq!(times_power(2.0_f64.powi(-1000), 1101), 2.0_f64.powi(101));
+    }
+
+    #[test]
+    fn numbers_that_differ_are_counted_from_1e_60_of_the_greatest_of_their_kind_on() {
+        let plain = [vec![1.0, 0.3], vec![0.7]];
+        assert_eq!(different(&plain, &plain), 0);
+        assert_eq!(different(&plain, &[vec![-1.0, 0.3], vec![0.1]]), 2);
+        let of_one =
+            |plain: [f64; 3], scaled: [f64; 3]| different(&[plain.to_vec()], &[scaled.to_vec()]);
+        assert_eq!(of_one([1.0, 2e-60, 1e-60], [1.0, 0.0, 0.0]), 1);
+        assert_eq!(of_one([-1e10, 1e-55, 2e-50], [-1e10, 0.0, 0.0]), 1);
+    }
+
+    #[test]
+    fn what_is_spoilt_differs_in_a_scene_that_is_run_or_is_accepted_beyond_a_refused_one() {
+        let run = std::cell::RefCell::new(vec![]);
+        let accepted = |&n: &i32| n <= 50 || n == 53 || n == 1100;
+        let reach = Reach::of(accepted, |n| {
+            run.borrow_mut().push(n);
+            if n == 46 { 5 } else { 0 }
+        });
+        assert_eq!((reach.last, reach.spoilt), (50, 2 + 5));
+        // Every 23rd, and the last three.
+        assert_eq!(run.into_inner(), [23, 46, 48, 49, 50]);
+        let none = Reach::of(|_| false, |_| 1);
+        assert_eq!((none.last, none.spoilt), (0, 0));
+    }
 }

@@ -215,3 +215,27 @@ pub fn exact_table() -> String {
     }
     table.text()
 }
+
+#[cfg(test)]
+mod tests {
+    use crossfibre::exact::riemann::State;
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    /// Where pieces end, m, and their strains: beside a kink the strain differs by rounding.
+    #[test]
+    fn a_plateau_goes_on_past_a_kink_and_is_longer_than_a_tenth_of_a_millimetre() {
+        let mut from = 0.0;
+        let pieces = [(0.3, 0.017), (0.5, 0.017 + 1e-14), (0.50009, 0.013), (0.5002, 0.011)];
+        let segments = pieces.map(|(to, strain)| {
+            let state = State { strain, direction: Vector3::x(), velocity: Vector3::zeros() };
+            Segment { from: std::mem::replace(&mut from, to), to, state }
+        });
+        let long = [
+            Plateau { from: 0.0, to: 0.5, strain: 0.017 },
+            Plateau { from: 0.50009, to: 0.5002, strain: 0.011 },
+        ];
+        assert_eq!(plateaus_of(&segments), long);
+    }
+}

@@ -300,6 +300,11 @@ mod tests {
         assert_eq!(ids.len(), points.len());
         let fits = |c: char| c.is_ascii_alphanumeric() || "-.".contains(c);
         assert!(ids.iter().all(|id| id.chars().all(fits)), "{ids:?}");
+        for id in
+            ["fig3-printed-2mm", "modulus-58.6-corrected-0.125mm", "slide-0.5-engineering-0.0625mm"]
+        {
+            assert!(ids.contains(&id.to_owned()), "{id}");
+        }
         // The paper's modulus is the shipped one to the bit, and every scene can be run.
         let scene = Abscissa::Modulus.scene(58.6);
         assert_eq!(scene.primary, shipped("fig3").primary);

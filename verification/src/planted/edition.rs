@@ -24,7 +24,7 @@ pub struct Edition {
     words: Words,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Words {
     /// Those of [`Corrected`].
     Its,
@@ -36,13 +36,18 @@ enum Words {
 
 /// The edition with these corrections and what is planted.
 pub fn edition(strain: Strain, corrections: Corrections) -> Edition {
-    let words = match now() {
-        Some(Plant::Equation(wrong)) => Words::Wrong(wrong),
-        // As printed there is nothing to rewrite.
-        Some(Plant::Rewritten(style)) if corrections == Corrections::ALL => Words::Other(style),
-        _ => Words::Its,
-    };
-    Edition { strain, corrections, words }
+    Edition { strain, corrections, words: Words::of(now(), corrections) }
+}
+
+impl Words {
+    fn of(planted: Option<Plant>, corrections: Corrections) -> Self {
+        match planted {
+            Some(Plant::Equation(wrong)) => Self::Wrong(wrong),
+            // As printed there is nothing to rewrite.
+            Some(Plant::Rewritten(style)) if corrections == Corrections::ALL => Self::Other(style),
+            _ => Self::Its,
+        }
+    }
 }
 
 /// Whether what is planted is in the equations.
@@ -190,5 +195,21 @@ impl<S: Number> Paper<S> for Edition {
 
     fn eqn_20_courant(&self, wave_speed: S, time_step: S, spacing: S) -> S {
         by!(self, paper => paper.eqn_20_courant(wave_speed, time_step, spacing))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_planted_in_equations_changes_their_words_and_a_rewrite_only_all_corrections() {
+        let (wrong, style) = (Wrong::ALL[0], Style::ALL[0]);
+        let words = |planted| {
+            [Corrections::ALL, Corrections::NONE].map(|corrections| Words::of(planted, corrections))
+        };
+        assert_eq!(words(None), [Words::Its; 2]);
+        assert_eq!(words(Some(Plant::Equation(wrong))), [Words::Wrong(wrong); 2]);
+        assert_eq!(words(Some(Plant::Rewritten(style))), [Words::Other(style), Words::Its]);
     }
 }

@@ -141,3 +141,23 @@ pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, Strin
     }
     files
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ladders_are_those_of_the_problems_and_variants_between_two_refinements() {
+        let (first, second) = (VARIANTS[0].name, VARIANTS[4].name);
+        let chosen = ladders(&[Problem::Single, Problem::Unequal], &[first, second], (0.5, 2.0));
+        let of: Vec<_> = chosen.iter().map(|t| (t.problem, t.variant.name, t.refinement)).collect();
+        let rungs = |problem, name| [0.5, 1.0, 2.0].map(|refinement| (problem, name, refinement));
+        let expected = [
+            rungs(Problem::Single, first),
+            rungs(Problem::Single, second),
+            rungs(Problem::Unequal, first),
+            rungs(Problem::Unequal, second),
+        ];
+        assert_eq!(of, expected.concat());
+    }
+}

@@ -208,7 +208,10 @@ impl Display for Window {
 
 #[cfg(test)]
 mod tests {
+    use crossfibre::discretisation::Discretisation;
+
     use super::*;
+    use crate::cases::support::shipped;
 
     #[test]
     fn a_window_is_the_middle_half() {
@@ -226,7 +229,70 @@ mod tests {
         assert_eq!(window.elements, 8);
         // Four of each: the mean of the two, to the rounding of eight additions.
         assert!((window.mean - 0.015).abs() < 1e-17);
-        // 0.425 to 0.675 m holds three.
+        // 0.425 to 0.675 m holds three, 0.5 to 0.9 m four.
         assert!(Window::of(&plateau(0.8), &fibre, 0.1).is_none());
+        assert_eq!(Window::of(&plateau(1.1), &fibre, 0.1).unwrap().elements, 4);
+    }
+
+    /// A fibre of the paper's, at rest but for these.
+    fn strained(fibre: Fibre, strain: &[f64], tension: &[f64], work: impl Fn(OneFibre<'_>)) {
+        let scene = shipped("single-400");
+        let mesh = Discretisation::<f64>::of(&scene);
+        let result = FibreResult {
+            spacing: mesh.primary.spacing,
+            position: vec![],
+            velocity: vec![],
+            strain: strain.into(),
+            tension: tension.into(),
+        };
+        let (properties, time_step) = (mesh.primary, mesh.time_step);
+        work(OneFibre { fibre, result: &result, properties, since: 1e-6, time_step });
+    }
+
+    #[test]
+    fn elements_that_push_by_more_than_a_hundredth_of_the_greatest_tension_are_counted() {
+        strained(Fibre::Primary, &[], &[100.0, -0.5, -1.0, -1.5, -2.0], |fibre| {
+            let row = fibre.pressed().unwrap();
+            assert_eq!((row.what, row.run.as_str()), ("pressed together", "2"));
+            assert!(row.note.starts_with("elements, which no fibre bears"), "{}", row.note);
+        });
+        strained(Fibre::Primary, &[], &[100.0, -1.0], |fibre| assert!(fibre.pressed().is_none()));
+    }
+
+    #[test]
+    fn of_a_plateau_with_too_few_elements_only_the_closed_form_is_said() {
+        strained(Fibre::Primary, &[0.013, 0.013], &[], |fibre| {
+            let to = fibre.length();
+            let plateau =
+                Plateau { what: "a plateau", fibre: Fibre::Primary, from: 0.0, to, strain: 0.017 };
+            let row = fibre.plateau(&plateau);
+            assert_eq!((row.what, row.run.as_str()), ("a plateau", ""));
+            assert_eq!(
+                (row.exact.as_str(), row.note.as_str()),
+                ("1.7000 %", "too few elements for a mean")
+            );
+        });
+    }
+
+    /// In a microsecond c t is 6.97 mm, of elements of 2 mm; a shock of the primary is faster than c.
+    #[test]
+    fn the_front_is_at_the_speed_of_a_shock_on_the_primary_at_c_on_the_secondary_or_at_the_clamp() {
+        let beyond = |fibre: Fibre, elements: usize, faster: f64| {
+            let said = std::cell::RefCell::new(None);
+            strained(fibre, &vec![0.013; elements], &vec![1.0; elements], |fibre| {
+                let front_speed = Some(fibre.properties.wave_speed * faster);
+                let rows = fibre.rows(&Exact { front_speed, ..Exact::default() });
+                said.replace(Some((rows[0].exact.clone(), rows[0].note.clone())));
+            });
+            said.into_inner().unwrap()
+        };
+        let said = |exact: &str, note: &str| (exact.to_owned(), note.to_owned());
+        let shock = "the shock's speed times t";
+        assert_eq!(beyond(Fibre::Primary, 7, 1.0), said("7.0 mm", "c t"));
+        assert_eq!(beyond(Fibre::Primary, 7, 1.5), said("10.5 mm", shock));
+        // By less than a metre a second.
+        assert_eq!(beyond(Fibre::Primary, 7, 1.0 + 1e-5), said("7.0 mm", shock));
+        assert_eq!(beyond(Fibre::Secondary, 7, 1.5), said("7.0 mm", "c t"));
+        assert_eq!(beyond(Fibre::Primary, 3, 1.0), said("clamp", "c t"));
     }
 }

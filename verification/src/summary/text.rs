@@ -45,6 +45,27 @@ pub fn write_note(to: &mut Formatter, note: &str) -> fmt::Result {
 mod tests {
     use super::*;
 
+    struct Note(String);
+
+    impl fmt::Display for Note {
+        fn fmt(&self, to: &mut Formatter) -> fmt::Result {
+            write_note(to, &self.0)
+        }
+    }
+
+    /// What stands before the first word takes 13 columns.
+    #[test]
+    fn a_line_of_a_note_has_99_columns_at_most() {
+        let lines = |first: usize| {
+            let text = Note(format!("{} b", "a".repeat(first))).to_string();
+            text.lines().map(|line| line.chars().count()).collect::<Vec<_>>()
+        };
+        assert_eq!(lines(84), [99]);
+        assert_eq!(lines(85), [98, 14]);
+        assert_eq!(lines(86), [99, 14]);
+        assert_eq!(lines(87), [12, 100, 14]);
+    }
+
     #[test]
     fn numbers_keep_five_digits() {
         let shown = [16.329_86, -0.001_234_56, 12_345.6, 0.0, 6.789_01e-7, 123_456.0];

@@ -210,6 +210,21 @@ fn a_run_ends_when_it_ends_in_either_number_type_and_is_not_judged_if_only_in_on
     assert_eq!((double.counts, double.beyond), (vec![("steps", 1)], None));
 }
 
+/// A step takes the projectile 3e23 m, of which the square is beyond the numbers of 24 bits.
+#[test]
+fn a_run_that_diverges_in_24_bits_alone_ends_there() {
+    let mut scene = Scene { strain: Strain::Engineering, ..shipped("single-400") };
+    scene.projectile.velocity = 1e30;
+    let scene = up_to(&scene, 5, Discretisation::<f64>::of(&scene).time_step);
+    let single = of_run(&scene, Precision::F32);
+    let place = Place { step: 1, fibre: Fibre::Primary, index: 0 };
+    assert_eq!(single.outcome, Outcome::Diverged { place, equation: 6 });
+    assert!(single.beyond.is_some());
+    assert_eq!(single.counts, [("steps", 1_u64)]);
+    let double = of_run(&scene, Precision::F64);
+    assert_eq!((kind(&double.outcome), double.counts), ("completed", vec![("steps", 5)]));
+}
+
 /// As near to the middle between two nodes as doubles tell, and 24 bits do not.
 #[test]
 fn a_run_whose_crossover_hangs_on_rounding_is_not_judged() {
