@@ -198,3 +198,92 @@ impl<S: Number> With<S> for Run<'_> {
         json!({"id": self.id, "result": result}).to_string()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may
+
+    use crossfibre_verification::cases::support::shipped;
+
+    use super::*;
+
+    fn asked(question: serde_json::Value, change: Change, number: Precision) -> serde_json::Value {
+        serde_json::from_str(&answer(&question.to_string(), change, number)).unwrap()
+    }
+
+    #[test]
+    fn every_name_leads_back_to_what_it_names() {
+        let wrong = Wrong::ALL.iter().copied().map(Change::Wrong);
+        let rewritten = Style::ALL.iter().copied().map(Change::Rewritten);
+        for change in wrong.chain(rewritten).chain([Change::Nothing]) {
+            assert_eq!(Change::from_name(change.name()), Some(change));
+        }
+        assert_eq!(Change::from_name("slow"), None);
+    }
+
+    #[test]
+    fn hello_says_what_is_wrong_and_what_can_be_asked() {
+        let hello = json!({"id": 3, "ask": "hello", "format": "crossfibre-conformance/1"});
+        let wrong = Change::Wrong(Wrong::StrainDenominator);
+        let said = asked(hello.clone(), wrong, Precision::F32);
+        assert_eq!(said["id"], 3);
+        assert_eq!(said["format"], "crossfibre-conformance/1");
+        assert_eq!(said["name"], format!("faulty, {}", wrong.name()));
+        assert_eq!(said["number"], "f32");
+        assert_eq!(said["laws"].as_array().unwrap().len(), 7);
+        assert_eq!(said["corrections"], json!(["all", "none"]));
+        let said = asked(hello, Change::Rewritten(Style::ALL[0]), Precision::F64);
+        assert_eq!((&said["number"], &said["corrections"]), (&json!("f64"), &json!(["all"])));
+    }
+
+    /// (7): 0.1 of 3 N, in doubles and in 24 bits; (4) by either measure, with its own denominator.
+    #[test]
+    fn an_equation_is_worked_out_in_the_numbers_and_the_edition_that_are_asked_for() {
+        let of = |eq: &str, strain: &str, inputs, number| {
+            let edition = json!({"strain": strain, "corrections": "all"});
+            let question =
+                json!({"id": 5, "ask": "equation", "eq": eq, "edition": edition, "in": inputs});
+            asked(question, Change::Nothing, number)
+        };
+        let seven = json!({"E": 3.0, "strain": 0.1});
+        let out = of("7", "incremental", seven.clone(), Precision::F64);
+        assert_eq!(out, json!({"id": 5, "out": 3.0 * 0.1}));
+        let out = of("7", "incremental", seven, Precision::F32);
+        assert_eq!(out["out"], f64::from(3.0_f32 * 0.1));
+        let four = json!({"strain_before": 0.5, "L": 3.0, "L_before": 2.0, "L_0": 1.0});
+        assert_eq!(of("4", "incremental", four.clone(), Precision::F64)["out"], 0.5 + 1.5 - 1.0);
+        assert_eq!(of("4", "engineering", four, Precision::F64)["out"], 2.0);
+        let unknown = of("x", "incremental", json!({}), Precision::F64);
+        assert_eq!(unknown, json!({"id": 5, "error": "no equation x"}));
+        let lacking = of("7", "incremental", json!({"E": 3.0}), Precision::F64);
+        assert!(lacking["error"].as_str().unwrap().contains("strain"), "{lacking}");
+    }
+
+    #[test]
+    fn what_cannot_be_read_has_an_error_for_an_answer() {
+        let said = asked(json!({"id": 5, "ask": "why"}), Change::Nothing, Precision::F64);
+        assert_eq!(said["id"], 0);
+        assert!(said["error"].is_string(), "{said}");
+    }
+
+    /// At 100 times its Courant limit a run ends by itself, and is left at its last whole step.
+    #[test]
+    fn a_run_ends_at_its_steps_or_where_it_diverges() {
+        let mut scene = shipped("single-400");
+        let steps = Discretisation::<f64>::of(&scene).steps(scene.duration);
+        let run = |scene: &Scene| {
+            let question = json!({"id": 5, "ask": "run", "scene": scene});
+            asked(question, Change::Nothing, Precision::F64)["result"].clone()
+        };
+        let result = run(&scene);
+        assert_eq!(
+            (&result["outcome"]["kind"], &result["steps"]),
+            (&json!("completed"), &json!(steps))
+        );
+        (scene.courant, scene.duration) = (100.0, 1.0);
+        let result = run(&scene);
+        assert_eq!(result["outcome"]["kind"], "diverged");
+        let at = result["outcome"]["step"].as_u64().unwrap();
+        assert_eq!(result["steps"], at - 1);
+    }
+}

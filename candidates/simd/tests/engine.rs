@@ -1,0 +1,63 @@
+//! What the engine says of itself and of what it does not take.
+
+#![allow(clippy::unwrap_used)] // a test may
+
+use crossfibre::outcome::Outcome;
+use crossfibre::scene::Scene;
+use crossfibre::scene_file;
+use crossfibre_simd::state::State;
+use crossfibre_simd::{Engine, Vectors};
+
+fn unequal() -> Scene {
+    scene_file::read(include_str!("../../../verification/scenes/unequal.json")).unwrap()
+}
+
+/// What is said of a state other than one after 7 steps.
+fn refused(change: impl Fn(&mut State)) -> Option<String> {
+    let scene = unequal();
+    let mut engine = Engine::new(&scene).unwrap();
+    engine.run(7);
+    let mut state = engine.state();
+    change(&mut state);
+    Engine::from_state(&scene, state).err().map(|refused| refused.to_string())
+}
+
+#[test]
+fn a_state_of_another_mesh_is_refused() {
+    assert_eq!(refused(|_| ()), None);
+    let last = unequal().primary.elements - 1;
+    assert_eq!(refused(|state| state.crossover.as_mut().unwrap().node = last), None);
+    let changes: [&dyn Fn(&mut State); 10] = [
+        &|state| state.primary.position.truncate(last),
+        &|state| state.primary.velocity.truncate(last),
+        &|state| state.primary.strain.truncate(last),
+        &|state| state.primary.tension.truncate(last),
+        &|state| state.primary.strain.push(0.0),
+        &|state| state.secondary.as_mut().unwrap().tension.truncate(1),
+        &|state| state.crossover.as_mut().unwrap().node = last + 1,
+        &|state| state.secondary = None,
+        &|state| state.crossover = None,
+        &|state| (state.secondary, state.crossover) = (None, None),
+    ];
+    for (k, change) in changes.iter().enumerate() {
+        let said = refused(change).unwrap_or_else(|| panic!("change {k} is taken"));
+        assert_eq!(said, "the state is not one of the scene's discretisation");
+    }
+}
+
+#[test]
+fn a_run_that_has_ended_by_itself_does_not_go_on() {
+    let mut scene = unequal();
+    (scene.courant, scene.duration) = (100.0, 1.0);
+    for vectors in Vectors::ALL {
+        let Ok(mut engine) = Engine::new_in(&scene, vectors) else { continue };
+        assert_eq!(*engine.outcome(), Outcome::Completed);
+        let outcome = engine.run(engine.planned_steps());
+        let Outcome::Diverged { place, .. } = outcome else { panic!("{outcome}") };
+        assert_eq!((engine.step() + 1, engine.state().step + 1), (place.step, place.step));
+        assert_eq!(engine.run(5), outcome);
+        assert_eq!((engine.outcome(), engine.step() + 1), (&outcome, place.step));
+        let said = format!("Engine {{ {vectors:?}, step {}, {outcome} }}", engine.step());
+        assert_eq!(format!("{engine:?}"), said);
+    }
+}
