@@ -22,6 +22,7 @@ mod stability;
 pub mod support;
 
 pub use by_hand::four_elements;
+pub use conformance::over_envelopes;
 pub use invariance::in_other_frames;
 
 use schemars::JsonSchema;

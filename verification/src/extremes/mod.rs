@@ -11,7 +11,7 @@ mod page;
 mod projectile;
 mod ratios;
 pub mod rounding;
-mod scaling;
+pub mod scaling;
 mod velocity;
 
 use crossfibre::outcome::Outcome;

@@ -94,21 +94,24 @@ impl Reach {
     }
 }
 
-fn line(name: &str, scene: &Scene) -> Row {
-    let plain = numbers(&run(scene), [0, 0, 0]);
-    let reaches = UNITS.map(|(_, powers)| {
+/// Of each unit, down and up. `different` is asked about the scenes that are run, and their powers.
+fn reaches(scene: &Scene, different: impl Fn(&Scene, [i32; 3]) -> usize) -> [[Reach; 2]; 5] {
+    UNITS.map(|(_, powers)| {
         [-1, 1].map(|sign| {
             let powers = |n: i32| powers.map(|power| sign * power * n);
             let scaled = |n: i32| {
                 let [a, b, c] = powers(n);
                 rescaled(scene, a, b, c)
             };
-            Reach::of(
-                |&n| check(&scaled(n)).is_ok(),
-                |n| different(&plain, &numbers(&run(&scaled(n)), powers(n))),
-            )
+            Reach::of(|&n| check(&scaled(n)).is_ok(), |n| different(&scaled(n), powers(n)))
         })
-    });
+    })
+}
+
+fn line((name, scene): (String, Scene)) -> Row {
+    let plain = numbers(&run(&scene), [0, 0, 0]);
+    let reaches =
+        reaches(&scene, |scaled, powers| different(&plain, &numbers(&run(scaled), powers)));
     let said = UNITS
         .iter()
         .zip(&reaches)
@@ -128,15 +131,28 @@ fn line(name: &str, scene: &Scene) -> Row {
     )
 }
 
-fn rows() -> Vec<Row> {
+fn scenes() -> [(String, Scene); 4] {
     let mut slow = shipped("single-400");
     slow.projectile.velocity = 1e-3;
-    let mut rows: Vec<Row> = ["single-400", "unequal", "finite-projectile"]
-        .into_iter()
-        .map(|name| line(name, &shipped(name)))
-        .collect();
-    rows.push(line("single-400 at 1 mm/s", &slow));
-    rows
+    let [single, unequal, finite] =
+        ["single-400", "unequal", "finite-projectile"].map(|name| (name.into(), shipped(name)));
+    [single, unequal, finite, ("single-400 at 1 mm/s".into(), slow)]
+}
+
+fn rows() -> Vec<Row> {
+    scenes().map(line).into()
+}
+
+/// A unit, and between which powers of two it may be.
+pub type Range = (&'static str, [i32; 2]);
+
+/// The scenes, and the ranges of their units.
+pub fn drawn() -> [(String, [Range; 5]); 4] {
+    scenes().map(|(name, scene)| {
+        let reaches = reaches(&scene, |_, _| 0);
+        let range = |k: usize| (UNITS[k].0, [-reaches[k][0].last, reaches[k][1].last]);
+        (name, std::array::from_fn(range))
+    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The pictures of a report: those stored in `docs/`, which studies have drawn, and those that are drawn
 //! with the record. Each has its own ground, light and dark.
 
+mod conformance;
 mod energy;
 mod frames;
 mod history;
@@ -10,6 +11,7 @@ pub mod motion;
 mod rounding;
 mod step;
 mod stored;
+mod units;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -67,6 +69,7 @@ const OF_CASES: &[(&str, &[&str])] = &[
     ("identity.causality", &["xt"]),
     ("identity.both-at-origin", &["motion"]),
     ("invariance.", &["frames"]),
+    ("conformance.", &["conformance"]),
     ("material.rod", &["work-rod"]),
     ("material.", &["laws"]),
     ("extreme.velocity", &["stability-velocity"]),
@@ -77,6 +80,7 @@ const OF_CASES: &[(&str, &[&str])] = &[
     ("extreme.long", &["energy", "momentum"]),
     ("extreme.projectile", &["stability-mass"]),
     ("extreme.laws", &["laws"]),
+    ("extreme.scaling", &["units"]),
     ("golden.", &["fig3", "step"]),
     ("record.", &["work-single", "work-crossed", "work-unequal"]),
     ("precision.cost", &["time"]),
@@ -111,7 +115,7 @@ fn drawn_after(id: &str) -> Vec<Picture> {
             frames::picture(),
             laws::picture(),
         ],
-        "time" => vec![rounding::picture()],
+        "time" => vec![rounding::picture(), units::picture(), conformance::picture()],
         _ => vec![],
     }
 }
@@ -131,6 +135,9 @@ mod tests {
             assert!(picture.svg.starts_with("<svg ") && picture.svg.trim_end().ends_with("</svg>"));
             assert!(picture.alt.len() > 40 && picture.alt != picture.caption, "{}", picture.id);
             assert!(picture.svg.contains("prefers-color-scheme:dark"), "{}", picture.id);
+        }
+        for case in crate::cases::all() {
+            assert!(!of_case(case.id).is_empty(), "{}", case.id);
         }
         for (case, shown) in OF_CASES {
             assert!(shown.iter().all(|id| ids.contains(id)), "{case}");
