@@ -25,14 +25,17 @@ fn wrong() -> Option<Wrong> {
     }
 }
 
-fn is(fault: Wrong) -> bool {
-    wrong() == Some(fault)
+/// What is right, or what the fault makes of it.
+fn otherwise<T>(right: T, fault: impl FnOnce(Wrong, T) -> T) -> T {
+    match wrong() {
+        None => right,
+        Some(wrong) => fault(wrong, right),
+    }
 }
 
 /// A fibre, as it is given to the solutions below.
 pub fn fibre(fibre: Fibre) -> Fibre {
-    let density = if is(Wrong::Density) { 1440.0 } else { fibre.density };
-    Fibre { density, ..fibre }
+    Fibre { density: otherwise(fibre.density, Wrong::density), ..fibre }
 }
 
 /// As [`smith::smith`].
@@ -45,10 +48,7 @@ pub fn smith(law: Law, wave_speed: f64, velocity: f64) -> Result<Smith, SmithErr
 /// As [`smith::struck`].
 pub fn struck(material: &impl Elastic, velocity: f64) -> Result<Smith, SmithError> {
     let solved = smith::struck(material, velocity);
-    match wrong() {
-        None => solved,
-        Some(wrong) => solved.map(|right| wrong.impact(right, velocity)),
-    }
+    solved.map(|right| otherwise(right, |wrong, right| wrong.impact(right, velocity)))
 }
 
 /// As [`crossover::crossover`].
@@ -70,41 +70,28 @@ pub fn crossover(
 /// As [`motion::motion`].
 pub fn motion(problem: &Problem<Hyperelastic>, mass: Option<f64>, time: f64) -> Motion {
     let Some(wrong) = wrong() else { return motion::motion(problem, mass, time) };
-    let mass = if wrong == Wrong::MotionMass { mass.map(|mass| 0.5 * mass) } else { mass };
-    let time = if wrong == Wrong::MotionEarly { 0.99 * time } else { time };
-    motion::motion(&wrong.problem(problem), mass, time)
+    motion::motion(&wrong.problem(problem), wrong.mass(mass), wrong.time_of_motion(time))
 }
 
 /// As [`dispersion::frequency`].
 pub fn frequency(k: f64, dx: f64, dt: f64, alpha: f64) -> Option<f64> {
-    let alpha = if is(Wrong::DispersionCourant) { 1.0 } else { alpha };
-    let frequency = dispersion::frequency(k, dx, dt, alpha);
-    if is(Wrong::DispersionHalf) { frequency.map(|omega| 0.5 * omega) } else { frequency }
+    let frequency = dispersion::frequency(k, dx, dt, otherwise(alpha, Wrong::courant));
+    frequency.map(|omega| otherwise(omega, Wrong::frequency))
 }
 
 /// As [`dispersion::amplification`].
 pub fn amplification(alpha: f64, k_dx: f64) -> f64 {
-    let right = dispersion::amplification(alpha, k_dx);
-    match wrong() {
-        Some(Wrong::GrowthRoot) => 1.0 / right,
-        Some(Wrong::GrowthTwice) => right * right,
-        _ => right,
-    }
+    otherwise(dispersion::amplification(alpha, k_dx), Wrong::growth)
 }
 
 /// As [`Mesh::strain`].
 pub fn mesh_strain(mesh: Mesh, element: usize, step: usize) -> usize {
-    match wrong() {
-        Some(Wrong::MeshReflection) => mesh.strain(element, step).min(1),
-        Some(Wrong::MeshLate) => mesh.strain(element, step - 1),
-        _ => mesh.strain(element, step),
-    }
+    otherwise(mesh.strain(element, otherwise(step, Wrong::step)), Wrong::fronts)
 }
 
 /// As [`Mesh::velocity`].
 pub fn mesh_velocity(mesh: Mesh, node: usize, step: usize) -> usize {
-    let step = if is(Wrong::MeshLate) { step - 1 } else { step };
-    mesh.velocity(node, step)
+    mesh.velocity(node, otherwise(step, Wrong::step))
 }
 
 /// As [`PulledRod::new`].
@@ -122,29 +109,24 @@ pub fn pulled_rod(
 
 /// As [`PulledRod::at`].
 pub fn rod_at(rod: &PulledRod, x: f64, t: f64) -> Result<RodState, RodError> {
-    rod.at(x, if is(Wrong::RodEarly) { 0.99 * t } else { t })
+    rod.at(x, otherwise(t, Wrong::time_of_rod))
 }
 
 /// As [`Polynomial::new`].
 pub fn polynomial(density: f64, coefficients: &[f64]) -> Result<Polynomial, LawError> {
-    if is(Wrong::PolynomialHalf) {
-        let mut halved = coefficients.to_vec();
-        halved.iter_mut().skip(1).for_each(|c| *c *= 0.5);
-        return Polynomial::new(density, &halved);
+    match wrong() {
+        None => Polynomial::new(density, coefficients),
+        Some(wrong) => Polynomial::new(density, &wrong.coefficients(coefficients)),
     }
-    Polynomial::new(density, coefficients)
 }
 
 /// As [`Exponential::new`].
 pub fn exponential(density: f64, a: f64, b: f64) -> Result<Exponential, LawError> {
-    if is(Wrong::ExponentialHalf) {
-        return Exponential::new(density, 2.0 * a, 0.5 * b);
-    }
+    let [a, b] = otherwise([a, b], Wrong::exponential);
     Exponential::new(density, a, b)
 }
 
 /// As [`Wave::dissipation`].
 pub fn dissipation<M: Elastic>(wave: &Wave<'_, M>) -> f64 {
-    let right = wave.dissipation();
-    if is(Wrong::Dissipation) { 2.0 * right } else { right }
+    otherwise(wave.dissipation(), Wrong::dissipation)
 }

@@ -26,7 +26,7 @@ fn what_is_planted_fails_the_checks_and_stays() {
 }
 
 /// What is planted in each part of the program, and a quick case that notices it.
-const NOTICED: [(&str, &str); 15] = [
+const NOTICED: [(&str, &str); 17] = [
     ("4-twice", "smith.plateau"),
     ("march-one-step-less", "smith.plateau"),
     ("march-flags-short", "by-hand.step"),
@@ -35,6 +35,8 @@ const NOTICED: [(&str, &str); 15] = [
     ("material-linear-whole", "smith.plateau"),
     ("material-viscoelastic-exact", "material.stiff"),
     ("material-unchecked", "extreme.scaling"),
+    ("exact-density", "smith.density"),
+    ("exact-growth-root", "courant.growth"),
     ("exact-motion-law", "motion.projectile"),
     ("exact-motion-one-arm", "motion.engineering"),
     ("exact-motion-slide-once", "motion.engineering"),

@@ -15,6 +15,8 @@ use crossfibre::result;
 use super::tests::{InPlainWords, scenes, text};
 use super::{exact, march, material, record};
 use crate::bits::fnv;
+use crate::cases::support::shipped;
+use crate::closed_form;
 use crate::conform::by_name::evaluate;
 use crate::faulty::rewritten::{Rewritten, Style};
 use crate::faulty::{Faulty, catalogue};
@@ -109,17 +111,25 @@ fn the_faults_of_the_march_and_of_the_materials_are_those_that_were_measured() {
 fn the_faults_of_exact_solutions_and_of_the_record_are_those_that_were_measured() {
     let primary = Fibre { modulus: 84e9, density: 1440.0, area: 7e-9 };
     let secondary = Fibre { modulus: 61e9, density: 970.0, area: 5e-9 };
+    let problem = closed_form::problem(&shipped("unequal"));
     let mut seen = String::new();
     for &wrong in exact::Wrong::ALL {
         let (law, fibres) = wrong.crossing(Law::Logarithmic, [primary, secondary], 0.3);
         let struck = smith::smith(law, fibres[0].wave_speed(), 400.0).unwrap();
         let crossed = crossover::crossover(law, &fibres[0], &fibres[1], 0.3, 400.0).unwrap();
         let given = format!(
-            "{:?} {law:?} {fibres:?} {:?} {:?} {:?}",
+            "{:?} {law:?} {fibres:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
             wrong.law_of_impact(Law::Logarithmic),
             wrong.impact(struck, 400.0),
             wrong.crossed(crossed, fibres),
-            wrong.arms(&[Arm { modulus: 3e9, relaxation_time: 1e-5 }])
+            wrong.arms(&[Arm { modulus: 3e9, relaxation_time: 1e-5 }]),
+            wrong.problem(&problem),
+            (wrong.density(970.0), wrong.mass(Some(0.3)), wrong.time_of_motion(3e-5)),
+            (wrong.time_of_rod(3e-5), wrong.courant(0.7), wrong.frequency(3.0), wrong.growth(1.3)),
+            (
+                (wrong.fronts(3), wrong.step(3), wrong.coefficients(&[3.0, 7.0, 11.0])),
+                (wrong.exponential([3.0, 7.0]), wrong.dissipation(3.0)),
+            ),
         );
         writeln!(seen, "{} {:016x}", wrong.words().0, fnv(given.bytes())).unwrap();
     }

@@ -132,4 +132,70 @@ impl Wrong {
         let arm = |arm: &Arm| Arm { relaxation_time: times * arm.relaxation_time, ..*arm };
         arms.iter().map(arm).collect()
     }
+
+    /// The density of a fibre.
+    pub fn density(self, right: f64) -> f64 {
+        if self == Self::Density { 1440.0 } else { right }
+    }
+
+    /// The mass of the projectile.
+    pub fn mass(self, right: Option<f64>) -> Option<f64> {
+        right.map(|mass| if self == Self::MotionMass { 0.5 * mass } else { mass })
+    }
+
+    /// The time to which a motion is solved.
+    pub fn time_of_motion(self, right: f64) -> f64 {
+        if self == Self::MotionEarly { 0.99 * right } else { right }
+    }
+
+    /// The time of a rod's state.
+    pub fn time_of_rod(self, right: f64) -> f64 {
+        if self == Self::RodEarly { 0.99 * right } else { right }
+    }
+
+    /// The Courant number of the dispersion relation.
+    pub fn courant(self, right: f64) -> f64 {
+        if self == Self::DispersionCourant { 1.0 } else { right }
+    }
+
+    /// A frequency.
+    pub fn frequency(self, right: f64) -> f64 {
+        if self == Self::DispersionHalf { 0.5 * right } else { right }
+    }
+
+    /// By how much a mode grows in a step.
+    pub fn growth(self, right: f64) -> f64 {
+        match self {
+            Self::GrowthRoot => 1.0 / right,
+            Self::GrowthTwice => right * right,
+            _ => right,
+        }
+    }
+
+    /// The strain of an element, in fronts that have passed.
+    pub fn fronts(self, right: usize) -> usize {
+        if self == Self::MeshReflection { right.min(1) } else { right }
+    }
+
+    /// The step of which d'Alembert's solution is given.
+    pub fn step(self, right: usize) -> usize {
+        if self == Self::MeshLate { right - 1 } else { right }
+    }
+
+    /// The coefficients of a polynomial law.
+    pub fn coefficients(self, right: &[f64]) -> Vec<f64> {
+        let factor = if self == Self::PolynomialHalf { 0.5 } else { 1.0 };
+        let factors = std::iter::once(1.0).chain(std::iter::repeat(factor));
+        right.iter().zip(factors).map(|(coefficient, factor)| factor * coefficient).collect()
+    }
+
+    /// The two numbers of an exponential law.
+    pub fn exponential(self, [a, b]: [f64; 2]) -> [f64; 2] {
+        if self == Self::ExponentialHalf { [2.0 * a, 0.5 * b] } else { [a, b] }
+    }
+
+    /// What a shock dissipates.
+    pub fn dissipation(self, right: f64) -> f64 {
+        if self == Self::Dissipation { 2.0 * right } else { right }
+    }
 }
