@@ -79,3 +79,30 @@ pub fn between_fronts(scene: &Scene, time: f64) -> Windows {
         diverted: inside(fronts.secondary_kink, fronts.secondary_front, CLEAR),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// By hand as the plateaus of `summary::exact`: c = 6968.6 m/s, U = 0.11926 c and 0.046037 c on the
+    /// secondary, to 0.02 mm.
+    #[test]
+    fn fronts_are_where_they_are_by_hand() {
+        let near = |found: f64, expected: f64| {
+            assert!((1e3 * found - expected).abs() < 0.02, "{found} {expected}");
+        };
+        let early = Fronts::of(&shipped("fig3"), 22.0e-6);
+        near(early.kink, 18.284);
+        near(early.reflected, 46.691);
+        near(early.transmitted, 153.309);
+        near(early.secondary_kink, 2.454);
+        near(early.secondary_front, 53.309);
+        assert_eq!(early.wavelet, None);
+        // The wave met the kink at 25.641 µs and 21.310 mm, 3.059 µs before.
+        let late = Fronts::of(&shipped("fig3"), 28.7e-6);
+        near(1e3 * late.meeting, 25.641);
+        near(late.wavelet.unwrap_or(f64::NAN), 42.623);
+        near(late.reflected, 0.0);
+    }
+}

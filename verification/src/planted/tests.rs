@@ -1,6 +1,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crossfibre::corrected::{Corrected, Incremental};
+use crossfibre::errata::Corrections;
 use crossfibre::outcome::Outcome;
 use crossfibre::paper::Paper;
 use crossfibre::result::{self, Marcher, RunResult, WithPaper};
@@ -117,7 +119,7 @@ fn in_plain_words_the_march_gives_the_same_bits_in_blocks_of_one() {
         fn with(self, paper: &impl Paper<f64>) -> Vec<String> {
             use crossfibre::trace::{Event, Traced};
             let mut seen = Vec::new();
-            let mut state = State::at_impact(self.0, Wavefront::Flagged);
+            let mut state = State::<f64>::at_impact(self.0, Wavefront::Flagged);
             let traced = Traced::new(paper, |event: &Event<'_, f64>| {
                 seen.push(format!("{event:?}"));
             });
@@ -126,6 +128,8 @@ fn in_plain_words_the_march_gives_the_same_bits_in_blocks_of_one() {
             } else {
                 crossfibre::march::run(&traced, &mut state, 25, |_| ());
             }
+            let booked = state.primary.constitution.map(|by| (by.path.stored, by.path.dissipated));
+            seen.push(format!("{booked:?}"));
             seen
         }
     }
@@ -134,6 +138,46 @@ fn in_plain_words_the_march_gives_the_same_bits_in_blocks_of_one() {
         let events = |plain| result::with_paper(&scene, Trace(&scene, plain));
         assert!(events(true) == events(false), "{name}");
     }
+}
+
+/// Steps from states of which one number is spoilt.
+#[test]
+fn in_plain_words_a_step_that_is_not_finite_ends_at_the_same_place_in_the_same_equation() {
+    let scene = shipped("single-400");
+    let paper = &Corrected::<Incremental>::new(Corrections::ALL);
+    let end = |spoil: &dyn Fn(&mut State<f64>)| {
+        let mut state = State::<f64>::at_impact(&scene, Wavefront::Ignored);
+        spoil(&mut state);
+        let outcome = crossfibre::march::run(paper, &mut state.clone(), 1, |_| ());
+        let found = march::run_in_plain_words(paper, &mut state, 1, &mut |_| (), None);
+        assert_eq!(found, outcome);
+        let Outcome::Diverged { place, equation } = outcome else { panic!("{outcome}") };
+        (place.index, equation)
+    };
+    assert_eq!(end(&|state| state.primary.velocity[2].x = f64::INFINITY), (2, 2));
+    // An element without length.
+    assert_eq!(end(&|state| state.primary.position[2] = state.primary.position[1]), (1, 6));
+    assert_eq!(end(&|state| state.primary.strain[1] = f64::INFINITY), (1, 4));
+    // A tension that is finite, and a quotient by the length of a nanometre that is not.
+    let in_no_length = |state: &mut State<f64>| {
+        state.primary.strain[1] = 1e296;
+        state.primary.velocity[2].x = 1.0;
+        state.primary.position[2].x = state.primary.position[1].x + 1e-9 - state.time_step;
+    };
+    assert_eq!(end(&in_no_length), (1, 7));
+}
+
+#[test]
+fn only_where_there_are_whole_gigapascals_are_they_taken() {
+    let mut scene = shipped("single-400");
+    let stiffness = |scene: &Scene| {
+        let mut state = State::<f64>::at_impact(scene, Wavefront::Flagged);
+        material::Wrong::LinearDigits.put_into(scene, &mut state);
+        state.primary.properties.stiffness / state.primary.properties.area
+    };
+    assert!((stiffness(&scene) / 58e9 - 1.0).abs() < 1e-15);
+    scene.primary.material = Law::Linear { modulus: 0.7e9 }.into();
+    assert!((stiffness(&scene) / 0.7e9 - 1.0).abs() < 1e-15);
 }
 
 #[test]
