@@ -272,9 +272,25 @@ fn kink(segments: &[Segment]) -> Option<Kink> {
 
 #[cfg(test)]
 mod tests {
+    use crossfibre::exact::riemann::State;
+    use nalgebra::Vector3;
+
     use super::*;
     use crate::cases::support::shipped;
     use crate::precision::variants::Precision;
+
+    #[test]
+    fn a_kink_is_where_the_direction_changes_most_and_between_its_directions() {
+        let segment = |from: f64, to: f64, y: f64| {
+            let direction = Vector3::new((1.0 - y * y).sqrt(), y, 0.0);
+            let state = State { strain: 0.013, direction, velocity: Vector3::zeros() };
+            Segment { from, to, state }
+        };
+        let bent = [segment(0.0, 0.3, 0.31), segment(0.3, 0.7, 0.3), segment(0.7, 1.1, 0.1)];
+        let kink = kink(&bent).unwrap();
+        assert_eq!((kink.at, kink.level), (0.7, 0.2));
+        assert!(super::kink(&[segment(0.0, 0.3, 0.3), segment(0.3, 0.7, 0.3)]).is_none());
+    }
 
     #[test]
     fn no_front_is_awaited_whose_time_no_solution_knows() {

@@ -145,6 +145,14 @@ pub fn files(record: &Record, times: Option<&Times>) -> Vec<(&'static str, Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::precision::stored::stored;
+
+    #[test]
+    fn the_section_of_the_stored_record_is_that_of_the_committed_page() {
+        let section = section(stored());
+        assert!(section.starts_with("## How accurate for how much work\n"));
+        assert!(include_str!("../../../VALIDATION.md").contains(&section));
+    }
 
     #[test]
     fn ladders_are_those_of_the_problems_and_variants_between_two_refinements() {

@@ -193,6 +193,8 @@ pub fn table(record: &Record) -> String {
 mod tests {
     use super::*;
     use crate::convergence::Reason;
+    use crate::precision::VARIANTS;
+    use crate::precision::stored::stored;
     use crossfibre::number::Number;
 
     fn row(expected: Expected) -> Row {
@@ -202,6 +204,20 @@ mod tests {
 
     fn errors_of(of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
         [2.0, 1.1, 0.5, 0.23, 0.125].map(|h| (h, of(h))).to_vec()
+    }
+
+    /// Of the unequal fibres no closed form gives a plateau: it is read off the profile.
+    #[test]
+    fn what_is_read_off_the_profile_is_known_to_what_the_profile_leaves_open() {
+        let floor_of = |problem, quantity| {
+            let series = stored().series(problem, VARIANTS[4].name);
+            floor(problem, &series, quantity)
+        };
+        let open = floor_of(Problem::Unequal, Quantity::StrainL1);
+        assert!(open > ROUNDING, "{open}");
+        assert_eq!(floor_of(Problem::Unequal, Quantity::Plateau), open);
+        assert_eq!(floor_of(Problem::Unequal, Quantity::Kink), ROUNDING);
+        assert_eq!(floor_of(Problem::Single, Quantity::Plateau), ROUNDING);
     }
 
     #[test]

@@ -131,3 +131,36 @@ fn solutions(times: &Times) -> String {
         markdown(&head, &rows)
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::times::FORMAT;
+    use super::*;
+
+    #[test]
+    fn a_problem_is_timed_of_which_there_is_a_run() {
+        let seconds = Seconds { least: 0.3, median: 0.3, greatest: 0.3 };
+        let run = TimedRun {
+            problem: Problem::Unequal,
+            contestant: "one".into(),
+            elements: 7,
+            seconds,
+            instructions: None,
+        };
+        let times = Times {
+            format: FORMAT.into(),
+            machine: "none".into(),
+            calibration: seconds,
+            rounds: 3,
+            runs: vec![run],
+            exact: vec![],
+        };
+        assert_eq!(timed(&times).collect::<Vec<_>>(), [Problem::Unequal]);
+    }
+
+    #[test]
+    fn a_duration_has_the_unit_that_suits_it() {
+        let shown = [0.25e-3, 1e-3, 0.25, 1.0, 2.5].map(duration);
+        assert_eq!(shown, ["250.000 µs", "1.000 ms", "250.000 ms", "1.000 s", "2.500 s"]);
+    }
+}

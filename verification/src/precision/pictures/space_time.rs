@@ -60,13 +60,13 @@ pub fn exact() -> String {
 fn marched_cells(scene: &Scene) -> Vec<f64> {
     let mut cells = Vec::new();
     planted::run(scene, |state| {
-        while cells.len() < COLUMNS * ROWS && state.time() >= time(cells.len() / COLUMNS) {
+        while state.time() >= time(cells.len() / COLUMNS) {
             let strain = &state.primary.strain;
             let mean = |k| mean_over(scene.primary.length, strain, column(scene, k));
             cells.extend((0..COLUMNS).map(|k| 100.0 * mean(k)));
         }
     });
-    // The last step may end before the middle of the last row.
+    // The last step may end before the middle of the last row, or beyond that of a row that is not drawn.
     cells.resize(COLUMNS * ROWS, f64::NAN);
     cells
 }
