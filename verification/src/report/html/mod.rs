@@ -65,12 +65,18 @@ pub fn render(record: &Record) -> String {
                 main id="main" {
                     (cases::troubled(record))
                     (first::answers(record))
-                    @for ((id, title), content) in PARTS.into_iter().zip(contents(record)) {
-                        section id=(id) aria-labelledby={ (id) "-title" } {
-                            h2 id={ (id) "-title" } { (title) }
-                            (content)
-                        }
-                    }
+                    (part(0, html! { (ledger::claims(record)) }))
+                    (part(1, html! { (ledger::ledger(record)) }))
+                    (part(2, html! { (cost::cost(record)) (pictures::section(record, Section::Cost)) }))
+                    (part(3, html! {
+                        (motion::motion(record))
+                        (pictures::section(record, Section::Figures))
+                    }))
+                    (part(4, html! { (pictures::section(record, Section::Stability)) }))
+                    (part(5, html! { (tolerances::tolerances(record)) }))
+                    (part(6, html! { (matrix::matrix(record)) (examined::examined(record)) }))
+                    (part(7, html! { (cases::all(record)) }))
+                    (part(8, html! { (about::about(record)) }))
                 }
                 @if record.motion.is_some() { script { (PreEscaped(motion::SCRIPT)) } }
             }
@@ -79,20 +85,9 @@ pub fn render(record: &Record) -> String {
     .into_string()
 }
 
-/// What stands in each of [`PARTS`].
-fn contents(record: &Record) -> [Markup; PARTS.len()] {
-    let drawn = |section| pictures::section(record, section);
-    [
-        ledger::claims(record),
-        ledger::ledger(record),
-        html! { (cost::cost(record)) (drawn(Section::Cost)) },
-        html! { (motion::motion(record)) (drawn(Section::Figures)) },
-        drawn(Section::Stability),
-        tolerances::tolerances(record),
-        html! { (matrix::matrix(record)) (examined::examined(record)) },
-        cases::all(record),
-        about::about(record),
-    ]
+fn part(k: usize, content: Markup) -> Markup {
+    let (id, title) = PARTS[k];
+    html! { section id=(id) aria-labelledby={ (id) "-title" } { h2 id={ (id) "-title" } { (title) } (content) } }
 }
 
 #[cfg(test)]
