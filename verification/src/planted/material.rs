@@ -183,10 +183,6 @@ impl<S: Number> Law<S> for Otherwise<S> {
         self.law.step_modulus(before, now, memory)
     }
 
-    fn can_outgrow_the_step(&self) -> bool {
-        self.law.can_outgrow_the_step()
-    }
-
     fn stored(&self, strain: S, memory: &[S]) -> S {
         let right = self.law.stored(strain, memory);
         if self.wrong == Wrong::StoredTwice { S::two() * right } else { right }
@@ -204,9 +200,5 @@ impl<S: Number> Law<S> for Otherwise<S> {
 
     fn taut_strain(&self, before: S, now: S, memory: &[S]) -> S {
         self.law.taut_strain(before, now, memory)
-    }
-
-    fn bears_compression(&self) -> bool {
-        self.wrong != Wrong::SlackClipped && self.law.bears_compression()
     }
 }

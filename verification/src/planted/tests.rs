@@ -10,7 +10,7 @@ use crossfibre::scene::{Law, Scene, Strain};
 use crossfibre::state::{State, Wavefront};
 
 use super::catalogue::find;
-use super::{Group, Refused, all, march, material, now, record, rewrites};
+use super::{Group, Refused, all, check, march, material, now, record, rewrites};
 use crate::cases::support::{SCENES, kinked, measured_by, shipped};
 use crate::golden::steps;
 use crate::precision::stored::stored;
@@ -165,6 +165,14 @@ fn in_plain_words_a_step_that_is_not_finite_ends_at_the_same_place_in_the_same_e
         state.primary.position[2].x = state.primary.position[1].x + 1e-9 - state.time_step;
     };
     assert_eq!(end(&in_no_length), (1, 7));
+}
+
+#[test]
+fn with_nothing_planted_a_scene_that_is_wrong_is_refused() {
+    let mut scene = shipped("single-400");
+    assert!(check(&scene).is_ok());
+    scene.courant = -0.7;
+    assert_eq!(check(&scene).unwrap_err().path, "courant");
 }
 
 #[test]

@@ -229,7 +229,10 @@ fn turning_point<S: Number, const D: usize>(fibre: &FibreState<S, D>, kink: Kink
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::support::shipped;
+    use crate::precision::variants::Precision;
     use crate::precision::{Problem, Variant, found, run_of};
+    use crossfibre::state::{State, Wavefront};
 
     fn piece(from: f64, to: f64, strain: f64) -> Piece {
         Piece { from, to, strain }
@@ -252,6 +255,36 @@ mod tests {
     fn the_exact_profile_has_no_error() {
         let exact = [piece(0.0, 0.6, 0.013), piece(0.6, 1.8, 0.017)];
         assert_eq!(norms(1.8, &[0.013, 0.017, 0.017], &exact), (0.0, 0.0));
+    }
+
+    /// Of a law without exact fronts there may be a closed form; of a fibre that is pulled along itself
+    /// Smith's is none.
+    #[test]
+    fn without_an_exact_profile_a_plateau_is_that_of_the_closed_form_if_the_fibre_was_struck() {
+        let read = |name: &str, pulled_along: bool| {
+            let (scene, precision) = (shipped(name), Precision::Double);
+            let found = found(&Run { scene, pulled_along, precision, flagged: true });
+            let of = |quantity| found.readings.iter().any(|reading| reading.quantity == quantity);
+            (of(Quantity::Plateau), of(Quantity::StrainL1))
+        };
+        assert_eq!(read("hardening", false), (true, false));
+        assert_eq!(read("single-400", true), (false, false));
+    }
+
+    /// Three elements of a zigzag, and level ones: the inclination passes zero at nodes 1 and 2, and for
+    /// the last time where it is just zero, in the middle of element 3.
+    #[test]
+    fn of_places_where_the_inclination_passes_a_level_the_nearest_is_the_kink() {
+        let mut fibre = State::<f64>::at_impact(&shipped("single-400"), Wavefront::Flagged).primary;
+        let dx = fibre.properties.spacing;
+        for (node, height) in [0.0, 1.0, 0.0].into_iter().enumerate() {
+            fibre.position[node].y = height * dx;
+        }
+        fibre.position.iter_mut().skip(3).for_each(|node| node.y = dx);
+        let found = |at: f64| turning_point(&fibre, Kink { at: at * dx, level: 0.0 }).unwrap() / dx;
+        for (near, expected) in [(0.2, 1.0), (1.4, 1.0), (2.1, 2.0), (9.0, 3.5)] {
+            assert!((found(near) - expected).abs() < 1e-12, "{near}: {}", found(near));
+        }
     }
 
     /// What is read of a run of Fig. 3 beside its own errors: those of axial waves at α = 1 and of the

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::problems::Problem;
 use super::reading::{Quantity, Reading};
 use super::run::Found;
-use super::{Task, VARIANTS, found, run_of, tasks};
+use super::{Task, found, run_of, tasks};
 use crate::tables::{Table, cell};
 
 /// The format that this version reads and writes.
@@ -69,14 +69,6 @@ impl Record {
     pub fn series(&self, problem: Problem, variant: &str) -> Vec<&Entry> {
         let belongs = |entry: &&Entry| entry.problem == problem && entry.variant == variant;
         self.entries.iter().filter(belongs).collect()
-    }
-
-    /// The variants in which a problem was run.
-    pub fn variants(&self, problem: Problem) -> impl Iterator<Item = &'static str> {
-        let has_been_run = move |name: &&str| {
-            self.entries.iter().any(|e| e.problem == problem && e.variant == *name)
-        };
-        VARIANTS.iter().map(|variant| variant.name).filter(has_been_run)
     }
 
     /// The record as JSON, a run a line.

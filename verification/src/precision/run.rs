@@ -151,3 +151,24 @@ fn strain_at<S: Number>(state: &State<S>, place: f64) -> f64 {
     let [here, ahead] = [index, index + 1].map(|i| fibre.strain[i].to_f64());
     here + (along - index as f64) * (ahead - here)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::support::shipped;
+
+    /// Middles at 0.5, 1.5, … elements; beyond the last the line goes on.
+    #[test]
+    fn a_strain_is_linear_between_the_middles_of_elements_and_beyond_the_ends() {
+        let mut state = State::<f64>::at_impact(&shipped("single-400"), Wavefront::Flagged);
+        let fibre = &mut state.primary;
+        let (n, dx) = (fibre.elements(), fibre.properties.spacing);
+        (fibre.strain[0], fibre.strain[1], fibre.strain[2]) = (0.01, 0.03, 0.02);
+        (fibre.strain[n - 2], fibre.strain[n - 1]) = (0.01, 0.02);
+        let at = |elements: f64| strain_at(&state, elements * dx);
+        for (place, strain) in [(0.0, 0.0), (0.5, 0.01), (1.0, 0.02), (1.75, 0.0275)] {
+            assert!((at(place) - strain).abs() < 1e-14, "{place}: {}", at(place));
+        }
+        assert!((at(n as f64) - 0.025).abs() < 1e-12, "{}", at(n as f64));
+    }
+}

@@ -147,13 +147,16 @@ fn uncertain(problem: Problem, series: &[&Entry], quantity: Quantity) -> f64 {
     }
 }
 
-/// The splits of a record on the mesh [`AT`], in Markdown, in per cent.
-pub fn table(record: &Record) -> String {
-    let percent = |x: f64| match 100.0 * x {
+fn percent(x: f64) -> String {
+    match 100.0 * x {
         0.0 => "0".into(),
         x if x.abs() < 1e-3 => format!("{x:.0e}"),
         x => format!("{x:.4}"),
-    };
+    }
+}
+
+/// The splits of a record on the mesh [`AT`], in Markdown, in per cent.
+pub fn table(record: &Record) -> String {
     let mut rows = Vec::new();
     for problem in Problem::ALL {
         for variants in SPLIT {
@@ -279,8 +282,15 @@ mod tests {
     }
 
     #[test]
+    fn a_part_is_written_in_per_cent_to_four_decimals_or_as_a_power_of_ten() {
+        let shown = [0.0, 0.3, -0.001_234_56, 5e-6, -5e-6].map(percent);
+        assert_eq!(shown, ["0", "30.0000", "-0.1235", "5e-4", "-5e-4"]);
+    }
+
+    #[test]
     fn the_splits_of_the_stored_record_are_those_of_the_committed_page() {
         let page = include_str!("../../../VALIDATION.md");
-        assert!(page.contains(&table(crate::precision::stored::stored())));
+        let table = table(crate::precision::stored::stored());
+        assert!(table.starts_with("| problem |") && page.contains(&table), "{table}");
     }
 }

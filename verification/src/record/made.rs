@@ -61,6 +61,12 @@ fn run_case(case: &Case) -> CaseRecord {
     }
 }
 
+/// The ids of the cases that were not run.
+fn left_out(run: &[CaseRecord]) -> Vec<String> {
+    let was_run = |id: &str| run.iter().any(|case| case.id == id);
+    all().iter().map(|case| case.id).filter(|id| !was_run(id)).map(str::to_owned).collect()
+}
+
 impl Record {
     /// Measures what a report says beside the cases.
     pub fn around(cases: Vec<CaseRecord>) -> Self {
@@ -72,11 +78,8 @@ impl Record {
                 digest: format!("{:016x}", fnv(text.bytes())),
             })
             .collect();
-        let was_run = |id: &str| cases.iter().any(|case| case.id == id);
-        let left_out =
-            all().iter().map(|case| case.id).filter(|id| !was_run(id)).map(str::to_owned).collect();
         Self {
-            left_out,
+            left_out: left_out(&cases),
             format: FORMAT.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             build: Build::here(),
@@ -119,4 +122,22 @@ fn worked_step() -> String {
             String::from_utf8(text).expect("worked lines are text")
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::made_up;
+
+    #[test]
+    fn what_was_not_run_is_left_out() {
+        let ids: Vec<&str> = all().iter().map(|case| case.id).collect();
+        let mut run = made_up::record().cases;
+        run.truncate(2);
+        (run[0].id, run[1].id) = (ids[3].into(), ids[0].into());
+        let left = left_out(&run);
+        assert_eq!(left.len(), ids.len() - 2);
+        assert_eq!(left[..3], [ids[1], ids[2], ids[4]]);
+        assert_eq!(left_out(&[]), ids);
+    }
 }

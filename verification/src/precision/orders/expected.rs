@@ -257,6 +257,7 @@ mod tests {
     #[test]
     fn the_orders_of_the_stored_record_are_those_of_the_committed_page() {
         let page = include_str!("../../../../VALIDATION.md");
-        assert!(page.contains(&table(stored())));
+        let table = table(stored());
+        assert!(table.starts_with("| problem |") && page.contains(&table), "{table}");
     }
 }
