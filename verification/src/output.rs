@@ -171,6 +171,32 @@ mod tests {
         assert_eq!((fs::read_to_string(&path).unwrap().as_str(), count()), ("the whole", 1));
     }
 
+    #[test]
+    fn what_is_flushed_is_in_the_file_that_has_no_name_yet() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut out =
+            Destination::of(Some(&folder.path().join("result.json"))).unwrap().open().unwrap();
+        out.write_all(b"half of").unwrap();
+        let written = || {
+            let only = fs::read_dir(folder.path()).unwrap().next().unwrap().unwrap().path();
+            fs::read_to_string(only).unwrap()
+        };
+        assert_eq!(written(), "");
+        out.flush().unwrap();
+        assert_eq!(written(), "half of");
+    }
+
+    /// A socket is there, and can neither be opened nor replaced.
+    #[cfg(unix)]
+    #[test]
+    fn what_cannot_be_opened_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let socket = folder.path().join("socket");
+        let _bound = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        let refused = Destination::of(Some(&socket)).unwrap().open().unwrap_err();
+        assert_eq!(refused.to_string(), socket.display().to_string());
+    }
+
     #[cfg(unix)]
     #[test]
     fn a_device_is_written_to_and_a_link_is_followed_neither_is_replaced() {
