@@ -94,11 +94,8 @@ class Question:
         )
 
         def kill():
-            try:
-                # And what it has started.
-                os.killpg(process.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+            # And what it has started, in whatever group.
+            subprocess.run(["pkill", "-KILL", "--session", str(process.pid)], check=False)
 
         is_late = threading.Event()
         timer = threading.Timer(self.limit, lambda: (is_late.set(), kill()))

@@ -67,4 +67,16 @@ mod tests {
         // A quarter is not changed, and some changes change nothing.
         assert!((30..120).contains(&same), "{same}");
     }
+
+    #[test]
+    fn pieces_are_doubled_cut_off_and_put_first() {
+        let line = r#"{"id":7,"out":[0.3,-1e-7]}"#;
+        let random = &mut SplitMix::new(3);
+        let lines: Vec<_> = (0..2000).map(|_| scrambled(line, random)).collect();
+        for wanted in
+            [r#"{"id":77,"out":[0.3,-1e-7]}"#, r#"{"id":7,"#, r#"7{"id":,"out":[0.3,-1e-7]}"#]
+        {
+            assert!(lines.iter().any(|line| line == wanted), "{wanted}");
+        }
+    }
 }
