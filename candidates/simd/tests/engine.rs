@@ -61,3 +61,20 @@ fn a_run_that_has_ended_by_itself_does_not_go_on() {
         assert_eq!(format!("{engine:?}"), said);
     }
 }
+
+/// It is looked for from the state on, which is later than the steps that are gone back by.
+#[test]
+fn a_run_taken_up_from_a_state_diverges_where_it_would_have() {
+    let mut scene = unequal();
+    (scene.courant, scene.duration) = (1.3, 1.0);
+    for vectors in Vectors::ALL {
+        let Ok(mut engine) = Engine::new_in(&scene, vectors) else { continue };
+        let outcome = engine.run(engine.planned_steps());
+        let Outcome::Diverged { place, .. } = outcome else { panic!("{outcome}") };
+        assert!(place.step > 60, "{outcome}");
+        let mut first = Engine::new_in(&scene, vectors).unwrap();
+        first.run(place.step - 10);
+        let mut second = Engine::from_state_in(&scene, first.state(), &[vectors]).unwrap();
+        assert_eq!(second.run(engine.planned_steps()), outcome);
+    }
+}

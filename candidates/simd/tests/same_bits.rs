@@ -195,7 +195,9 @@ fn a_run_taken_up_from_a_state_goes_on_as_it_would_have() {
 fn a_batch_gives_the_results_of_one_after_the_other() {
     let scenes: Vec<_> = scenes::drawn(40).collect();
     let json = |result: &SimdResult| serde_json::to_string(result).unwrap();
-    for (scene, result) in scenes.iter().zip(batch(&scenes)) {
+    let results = batch(&scenes);
+    assert_eq!(results.len(), scenes.len());
+    for (scene, result) in scenes.iter().zip(results) {
         let alone = crossfibre_simd::run(scene).unwrap();
         assert_eq!(json(&result.unwrap()), json(&alone), "{}", scene.title);
     }
