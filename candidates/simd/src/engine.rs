@@ -94,8 +94,7 @@ impl Engine {
     /// The scene, which has passed [`Scene::check`], at impact, in the widest vectors there are.
     pub fn new(scene: &Scene) -> Result<Self, Unsupported> {
         supports(scene)?;
-        let mesh = Mesh::of(scene);
-        Self::begin(scene, mesh, State::at_impact(scene, &mesh), &Vectors::ALL)
+        Self::at_impact(scene, &Vectors::ALL)
     }
 
     /// The scene after some steps.
@@ -106,8 +105,12 @@ impl Engine {
     /// The scene at impact, in certain vectors.
     pub fn new_in(scene: &Scene, vectors: Vectors) -> Result<Self, Unsupported> {
         supports(scene)?;
-        let mesh = Mesh::of(scene);
-        Self::begin(scene, mesh, State::at_impact(scene, &mesh), &[vectors])
+        Self::at_impact(scene, &[vectors])
+    }
+
+    fn at_impact(scene: &Scene, vectors: &[Vectors]) -> Result<Self, Unsupported> {
+        let constants = constants(scene);
+        Self::begin(constants, State::at_impact(scene, &constants.mesh), vectors)
     }
 
     /// The scene after some steps, in the first of these vectors that there are.
@@ -117,7 +120,8 @@ impl Engine {
         vectors: &[Vectors],
     ) -> Result<Self, Unsupported> {
         supports(scene)?;
-        let mesh = Mesh::of(scene);
+        let constants = constants(scene);
+        let mesh = &constants.mesh;
         let fits = state.primary.has(mesh.primary.elements)
             && match (&mesh.secondary, &state.secondary, state.crossover) {
                 (Some((fibre, _)), Some(secondary), Some(crossover)) => {
@@ -129,21 +133,10 @@ impl Engine {
         if !fits {
             return Err(Unsupported("the state is not one of the scene's discretisation".into()));
         }
-        Self::begin(scene, mesh, state, vectors)
+        Self::begin(constants, state, vectors)
     }
 
-    fn begin(
-        scene: &Scene,
-        mesh: Mesh,
-        start: State,
-        vectors: &[Vectors],
-    ) -> Result<Self, Unsupported> {
-        let constants = Constants {
-            mesh,
-            engineering: scene.strain == Strain::Engineering,
-            slide_factor: scene.secondary.as_ref().map_or(1.0, |s| s.slide_factor),
-            projectile_mass: scene.projectile.mass,
-        };
+    fn begin(constants: Constants, start: State, vectors: &[Vectors]) -> Result<Self, Unsupported> {
         let march = vectors.iter().find_map(|&v| AnyMarch::of(v, &constants, &start));
         let march = march.ok_or_else(|| Unsupported(format!("no vectors {vectors:?} here")))?;
         Ok(Self { constants, start, march, outcome: Outcome::Completed })
@@ -236,6 +229,16 @@ impl Engine {
 impl fmt::Debug for Engine {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "Engine {{ {:?}, step {}, {} }}", self.vectors(), self.step(), self.outcome)
+    }
+}
+
+/// What a march needs to know of the scene.
+pub(crate) fn constants(scene: &Scene) -> Constants {
+    Constants {
+        mesh: Mesh::of(scene),
+        engineering: scene.strain == Strain::Engineering,
+        slide_factor: scene.secondary.as_ref().map_or(1.0, |s| s.slide_factor),
+        projectile_mass: scene.projectile.mass,
     }
 }
 

@@ -129,3 +129,90 @@ impl<const D: usize> FibreState<D> {
         element.map(|x| x * pull_per_length)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may
+
+    use crossfibre::scene::{Scene, Strain};
+    use crossfibre::scene_file;
+
+    use super::*;
+    use crate::engine::{Engine, constants};
+
+    const SCENES: [&str; 4] = [
+        include_str!("../../../verification/scenes/unequal.json"),
+        include_str!("../../../verification/scenes/fig3.json"),
+        include_str!("../../../verification/scenes/both-at-origin.json"),
+        include_str!("../../../verification/scenes/finite-projectile.json"),
+    ];
+
+    fn json(state: &State) -> String {
+        serde_json::to_string(state).unwrap()
+    }
+
+    /// JSON tells numbers apart by every bit.
+    #[test]
+    fn a_literal_step_gives_the_bits_of_the_engine() {
+        for text in SCENES {
+            for strain in [Strain::Incremental, Strain::Engineering] {
+                let mut scene = Scene { strain, ..scene_file::read(text).unwrap() };
+                scene.projectile.mass = Some(1.3e-4);
+                let mut engine = Engine::new(&scene).unwrap();
+                for _ in 0..90 {
+                    let mut state = engine.state();
+                    let end = |(index, equation)| Outcome::Diverged {
+                        place: Place { step: 0, fibre: Fibre::Primary, index },
+                        equation,
+                    };
+                    advance(&constants(&scene), &mut state, &end, &end).unwrap();
+                    engine.run(1);
+                    // `advance` leaves the count of steps, and ix, to its caller.
+                    let expected = engine.state();
+                    (state.step, state.crossover) = (expected.step, expected.crossover);
+                    assert_eq!(json(&state), json(&expected), "{}, {strain:?}", scene.title);
+                }
+            }
+        }
+    }
+
+    /// Steps from states of which one number is spoilt.
+    #[test]
+    fn the_first_equation_that_is_not_finite_is_named() {
+        let scene = Scene {
+            secondary: None,
+            strain: Strain::Incremental,
+            ..scene_file::read(SCENES[1]).unwrap()
+        };
+        let mut engine = Engine::new(&scene).unwrap();
+        // All nodes up to the fourth are visited.
+        engine.run(4);
+        let end = |spoil: &dyn Fn(&mut State)| {
+            let mut state = engine.state();
+            let primary = &mut state.primary;
+            primary.velocity.iter_mut().for_each(|v| *v = [0.0; 2]);
+            primary.tension.iter_mut().for_each(|t| *t *= 1e-300);
+            spoil(&mut state);
+            let Some(Outcome::Diverged { place, equation }) =
+                divergence(&constants(&scene), &state)
+            else {
+                return None;
+            };
+            assert_eq!((place.step, place.fibre), (5, Fibre::Primary));
+            Some((place.index, equation))
+        };
+        assert_eq!(end(&|_| ()), None);
+        assert_eq!(end(&|state| state.primary.velocity[2][0] = f64::INFINITY), Some((2, 2)));
+        // An element without length.
+        let no_length = |state: &mut State| state.primary.position[2] = state.primary.position[1];
+        assert_eq!(end(&no_length), Some((1, 6)));
+        assert_eq!(end(&|state| state.primary.strain[1] = f64::INFINITY), Some((1, 4)));
+        // A tension that is finite, and a quotient by the length of a nanometre that is not.
+        let in_no_length = |state: &mut State| {
+            let [x, y] = state.primary.position[1];
+            state.primary.position[2] = [x + 1e-9, y];
+            state.primary.strain[1] = 1e296;
+        };
+        assert_eq!(end(&in_no_length), Some((1, 7)));
+    }
+}

@@ -81,3 +81,27 @@ fn work_out(question: &Value) -> Result<Value, Box<dyn std::error::Error>> {
         _ => Ok(json!({"state": engine.state()})),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may
+
+    use super::*;
+
+    #[test]
+    fn a_step_that_diverges_has_an_error_for_an_answer() {
+        let text = include_str!("../../../verification/scenes/single-400.json");
+        let scene = crossfibre::scene_file::read(text).unwrap();
+        let asked = |zero_length: bool| {
+            let mut state = Engine::new(&scene).unwrap().state();
+            if zero_length {
+                state.primary.position[1] = [0.0, 400.0 * Engine::new(&scene).unwrap().time_step()];
+            }
+            answer(&json!({"id": 3, "ask": "step", "scene": scene, "state": state}).to_string())
+        };
+        assert_eq!(asked(false)["state"]["step"], 1);
+        let said = asked(true);
+        assert_eq!(said["id"], 3);
+        assert!(said["error"].as_str().unwrap().contains("diverged"), "{said}");
+    }
+}

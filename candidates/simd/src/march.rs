@@ -326,3 +326,33 @@ impl<L: Lanes> Fibre<L, 2> {
         best.1
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may
+
+    use crossfibre::scene::Scene;
+    use crossfibre::scene_file;
+
+    use super::*;
+    use crate::lanes::Portable;
+
+    /// Of a fibre with nodes at 0, 1, … 13: 4 and 5 are in different blocks of four.
+    #[test]
+    fn of_nodes_that_are_as_near_the_lowest_is_the_nearest() {
+        let text = include_str!("../../../verification/scenes/single-400.json");
+        let mut scene: Scene = scene_file::read(text).unwrap();
+        (scene.primary.length, scene.primary.elements) = (13.0, 13);
+        let mesh = Mesh::of(&scene);
+        let state = State::at_impact(&scene, &mesh).primary;
+        let fibre = Fibre::of(Portable, &state, mesh.primary, mesh.time_step, 0, false);
+        for (place, nearest) in
+            [(4.5, 4), (0.5, 0), (-3.0, 0), (5.2, 5), (12.5, 12), (12.6, 13), (17.0, 13), (7.0, 7)]
+        {
+            for guess in 0..=13 {
+                let found = fibre.nearest_node([place, 0.3, 0.0], guess);
+                assert_eq!(found, nearest, "{place} from {guess}");
+            }
+        }
+    }
+}

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test may
 
 use crossfibre::outcome::Outcome;
-use crossfibre::scene::Scene;
+use crossfibre::scene::{Scene, Strain};
 use crossfibre::scene_file;
 use crossfibre_simd::state::State;
 use crossfibre_simd::{Engine, Vectors};
@@ -65,8 +65,9 @@ fn a_run_that_has_ended_by_itself_does_not_go_on() {
 /// It is looked for from the state on, which is later than the steps that are gone back by.
 #[test]
 fn a_run_taken_up_from_a_state_diverges_where_it_would_have() {
-    let mut scene = unequal();
-    (scene.courant, scene.duration) = (1.3, 1.0);
+    let mut scene =
+        scene_file::read(include_str!("../../../verification/scenes/single-400.json")).unwrap();
+    (scene.strain, scene.courant, scene.duration) = (Strain::Engineering, 1.3, 1.0);
     for vectors in Vectors::ALL {
         let Ok(mut engine) = Engine::new_in(&scene, vectors) else { continue };
         let outcome = engine.run(engine.planned_steps());
@@ -77,4 +78,29 @@ fn a_run_taken_up_from_a_state_diverges_where_it_would_have() {
         let mut second = Engine::from_state_in(&scene, first.state(), &[vectors]).unwrap();
         assert_eq!(second.run(engine.planned_steps()), outcome);
     }
+}
+
+#[test]
+fn a_state_is_given_back_as_it_came() {
+    let scene = unequal();
+    let mut engine = Engine::new(&scene).unwrap();
+    engine.run(7);
+    let mut state = engine.state();
+    // Not what its strain makes of it.
+    state.primary.tension[0] *= 1.5;
+    assert_eq!(Engine::from_state(&scene, state.clone()).unwrap().state(), state);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn a_scene_is_marched_in_the_widest_vectors_that_the_processor_has() {
+    use std::arch::is_x86_feature_detected as has;
+
+    let scene = unequal();
+    let there = [has!("avx512f"), has!("avx2") && has!("fma"), true];
+    for (vectors, is_there) in Vectors::ALL.into_iter().zip(there) {
+        assert_eq!(Engine::new_in(&scene, vectors).is_ok(), is_there, "{vectors:?}");
+    }
+    let widest = Vectors::ALL[there.iter().position(|&is_there| is_there).unwrap()];
+    assert_eq!(Engine::new(&scene).unwrap().vectors(), widest);
 }

@@ -17,7 +17,7 @@ pub fn picture() -> Picture {
             });
         Panel {
             title: name,
-            x: Axis::new("power of two of the unit", -400.0, 400.0, 100.0),
+            x: Axis::new("power of two of the unit", -800.0, 800.0, 200.0),
             y: Axis::new("unit, in the order of the legend", 0.0, 6.0, 1.0),
             series: strokes.collect(),
             width: 460.0,
