@@ -100,3 +100,23 @@ fn modulus(material: &Material) -> f64 {
         _ => f64::NAN,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may
+
+    use crossfibre::scene_file;
+
+    use super::*;
+
+    #[test]
+    fn a_crossover_between_two_nodes_is_at_the_nearer_or_the_lower() {
+        let text = include_str!("../../../verification/scenes/unequal.json");
+        let mut scene = scene_file::read(text).unwrap();
+        (scene.primary.length, scene.primary.elements) = (13.0, 13);
+        for (at, node) in [(2.5, 2), (2.6, 3), (2.4, 2), (0.5, 0), (12.75, 13)] {
+            scene.secondary.as_mut().unwrap().at = at;
+            assert_eq!(Mesh::of(&scene).secondary.unwrap().1, node, "{at}");
+        }
+    }
+}
