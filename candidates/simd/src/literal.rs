@@ -134,7 +134,7 @@ impl<const D: usize> FibreState<D> {
 mod tests {
     #![allow(clippy::unwrap_used)] // a test may
 
-    use crossfibre::scene::{Scene, Strain};
+    use crossfibre::scene::{Material, Scene, Strain};
     use crossfibre::scene_file;
 
     use super::*;
@@ -176,23 +176,27 @@ mod tests {
         }
     }
 
-    /// Steps from states of which one number is spoilt.
+    /// Steps from states at rest of which a few numbers are spoilt. Of powers of two: c = 8192 m/s, elements of
+    /// 2⁻⁸ m, and so steps of 2⁻²¹ s.
     #[test]
     fn the_first_equation_that_is_not_finite_is_named() {
-        let scene = Scene {
-            secondary: None,
-            strain: Strain::Incremental,
-            ..scene_file::read(SCENES[1]).unwrap()
-        };
+        let mut scene = Scene { secondary: None, ..scene_file::read(SCENES[1]).unwrap() };
+        (scene.primary.length, scene.primary.elements, scene.courant) = (0.5, 128, 1.0);
+        (scene.primary.density, scene.primary.material) =
+            (1024.0, Material::linear(2.0_f64.powi(36)));
         let mut engine = Engine::new(&scene).unwrap();
         // All nodes up to the fourth are visited.
         engine.run(4);
-        let end = |spoil: &dyn Fn(&mut State)| {
+        let end = |spoil: &dyn Fn(&mut FibreState<2>)| {
             let mut state = engine.state();
-            let primary = &mut state.primary;
-            primary.velocity.iter_mut().for_each(|v| *v = [0.0; 2]);
-            primary.tension.iter_mut().for_each(|t| *t *= 1e-300);
-            spoil(&mut state);
+            for i in 0..4 {
+                state.primary.velocity[i] = [0.0; 2];
+                state.primary.position[i] = [i as f64 / 256.0, 0.0];
+                (state.primary.strain[i], state.primary.tension[i]) = (0.0, 0.0);
+            }
+            spoil(&mut state.primary);
+            // What it is visited for.
+            state.primary.tension[3] = 1e-200;
             let Some(Outcome::Diverged { place, equation }) =
                 divergence(&constants(&scene), &state)
             else {
@@ -202,16 +206,20 @@ mod tests {
             Some((place.index, equation))
         };
         assert_eq!(end(&|_| ()), None);
-        assert_eq!(end(&|state| state.primary.velocity[2][0] = f64::INFINITY), Some((2, 2)));
-        // An element without length.
-        let no_length = |state: &mut State| state.primary.position[2] = state.primary.position[1];
+        assert_eq!(end(&|fibre| fibre.velocity[2][0] = f64::INFINITY), Some((2, 2)));
+        // So fast that the square of a length is none.
+        assert_eq!(end(&|fibre| fibre.velocity[2][0] = 1e200), Some((1, 6)));
+        // An element that is left without length.
+        let no_length = |fibre: &mut FibreState<2>| {
+            fibre.position[2][0] = 1.25 / 256.0;
+            fibre.velocity[2][0] = -2048.0;
+        };
         assert_eq!(end(&no_length), Some((1, 6)));
-        assert_eq!(end(&|state| state.primary.strain[1] = f64::INFINITY), Some((1, 4)));
+        assert_eq!(end(&|fibre| fibre.strain[1] = f64::INFINITY), Some((1, 4)));
         // A tension that is finite, and a quotient by the length of a nanometre that is not.
-        let in_no_length = |state: &mut State| {
-            let [x, y] = state.primary.position[1];
-            state.primary.position[2] = [x + 1e-9, y];
-            state.primary.strain[1] = 1e296;
+        let in_no_length = |fibre: &mut FibreState<2>| {
+            fibre.position[2][0] = fibre.position[1][0] + 1e-9;
+            fibre.strain[1] = 1e296;
         };
         assert_eq!(end(&in_no_length), Some((1, 7)));
     }
