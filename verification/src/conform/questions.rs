@@ -69,7 +69,7 @@ fn equation(vector: &EquationVector) -> Item {
         strain: if has(Flag::Engineering) { Strain::Engineering } else { Strain::Incremental },
         corrections: if has(Flag::Printed) { Form::None } else { Form::All },
     };
-    let inputs = vector.numbers().into_iter().map(|(name, of)| (name, Value::of(&of))).collect();
+    let inputs = vector.inputs.iter().map(|(k, v)| (k.clone(), Value::of(&v.numbers()))).collect();
     Item {
         id: format!("equation/{}", vector.id),
         depth: Depth::Equation,
