@@ -95,7 +95,7 @@ class Question:
 
         def kill():
             # And what it has started, in whatever group.
-            subprocess.run(["pkill", "-KILL", "--session", str(process.pid)], check=False)
+            subprocess.run(["pkill", "-KILL", "-s", str(process.pid)], check=False)
 
         is_late = threading.Event()
         timer = threading.Timer(self.limit, lambda: (is_late.set(), kill()))
